@@ -11,7 +11,7 @@ lies within rad of mid, and its conditions are the differences that small change
 With the Rust code it shares no line and no library (Arb in the place of MPFR and of the enclosures there), but formulas of
 the theory, written once more: the definitions d = g - dl, F = 2 E* (a d - G) and dl = sqrt(2 pi a w/E*); the conditions of
 tangency at a fold; the closed forms of kappa_n, of g of every profile, of a_c, d_c and F_c, of the thresholds at n = 1/2 and
-of the energies of power laws. A wrong formula of these would be confirmed; quadrature of the heights, the second method of
+of the energies of power laws; P and H of the wave of Johnson, whose folds are zeros of slopes by power series. A wrong formula of these would be confirmed; quadrature of the heights, the second method of
 each record, would not confirm a wrong g. Other than in Rust are g' (by power series, but of waves), G (by rigorous
 quadrature, but of power laws and waves), conditions (by differences) and the certain changes of sign.
 
@@ -261,6 +261,8 @@ class Records:
         if moved is not None:
             given[moved] *= 1 + arb(STEP)
         formula, control, quantity = record["formula"], record["control"], record["quantity"]
+        if formula.split("-")[0] in ("graded", "line", "wave"):
+            return medium(self, record, given)
         parts = {"indentation": indentation, "force": force}
         if formula == "kappa":
             return kappa(given["n"])
@@ -324,6 +326,62 @@ def critical(law, control, quantity):
     if quantity == "indentation":
         return (ratio - 2 * law.n) / law.n * root
     return 2 * (ratio - 2 * law.n - 2) / (law.n + 1) * law.e * a * root
+
+
+def medium(records, record, given):
+    """A number of a graded half-space, of line contact or of the wave of Johnson (1995)."""
+    formula, control, quantity = record["formula"], record["control"], record["quantity"]
+    pi, w = arb.pi(), given.get("w")
+    if formula.startswith("graded"):
+        k, c = given["chi"], given["c"]
+        n = given.get("n", (1 - k) / 2)
+        factor = (1 + n / 2).gamma() * ((1 + k) / 2).gamma() / ((n + 1 + k) / 2).gamma()
+        ratio = 3 + k if control == "force" else 1 - k
+        if formula == "graded-threshold":
+            # n factor C = ratio sqrt(pi w/2c)
+            return ratio * (pi * w / (2 * c)).sqrt() / (n * factor)
+        a = (ratio * (pi * w / (2 * c)).sqrt() / (n * factor * given["C"])) ** (2 / (2 * n - 1 + k))
+        d = factor * given["C"] * a**n - (2 * pi * w * a ** (1 - k) / c).sqrt()
+        force = 2 * c * (d * a ** (1 + k) / (1 + k) - factor * given["C"] * a ** (n + 1 + k) / (n + 1 + k))
+        return {"contact_radius": a, "indentation": d, "force": force}[quantity]
+    if formula.startswith("line"):
+        n, e = given.get("n", arb(0.5)), given["E*"]
+        # N(1)/C, the integral of n sin^n over a quarter turn.
+        factor = n * pi.sqrt() / 2 * ((n + 1) / 2).gamma() / (n / 2 + 1).gamma()
+        if formula == "line-threshold":
+            return (2 * pi * w / e).sqrt() / factor
+        b = ((2 * pi * w / e).sqrt() / (2 * n * factor * given["C"])) ** (2 / (2 * n - 1))
+        return b if quantity == "contact_radius" else e * (factor * given["C"] * b**n - (2 * pi * w * b / e).sqrt())
+    e, length = given["E*"], given["lambda"]
+    if formula == "wave-threshold-compliance":
+        return pi * e / (length * (3 - arb(4).log()))
+    height = given["h0"]
+    if formula.startswith("wave-threshold"):
+        # alpha^4 = max 256 s^3 (1-s)^5, max s^3 (1-s), and alpha^2 = 1/(2 pi).
+        square = {
+            "wave-threshold-load": (256 * arb(fmpq(3, 8)) ** 3 * arb(fmpq(5, 8)) ** 5).sqrt(),
+            "wave-threshold-touch": (arb(fmpq(3, 4)) ** 3 / 4).sqrt(),
+            "wave-threshold-energy": 1 / (2 * pi),
+        }[formula]
+        return square * pi**2 * height**2 * e / (2 * length)
+    alpha = (2 * length * w / e).sqrt() / (pi * height)
+    closing = pi * e * height / length
+    compliance = closing / (given["k"] * height) if "k" in given else arb(0)
+
+    def state(angle):
+        """P and H at a number or at a series."""
+        sine, cosine = angle.sin(), angle.cos()
+        pressure = sine**2 - alpha * (sine / cosine).sqrt()
+        return pressure, 1 - sine**2 + pressure * 2 * sine.log()
+
+    def slope(a):
+        """Of what is held, by a series of two terms."""
+        pressure, gap = state(arb_series([pi * a / length, 1], 2))
+        return pressure[1] if control == "force" else compliance * pressure[1] - gap[1]
+
+    a = records.root(record, slope)
+    pressure, gap = state(pi * a / length)
+    return {"contact_radius": a, "indentation": height * (1 - gap), "force": closing * pressure}[quantity]
 
 
 def energy(law, formula):

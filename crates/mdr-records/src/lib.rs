@@ -28,6 +28,8 @@ mod energy;
 mod equilibria;
 mod fits;
 mod folds;
+mod media;
+mod media_confirm;
 mod profiles;
 mod sensitivity;
 mod threshold;
@@ -99,7 +101,17 @@ pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordErro
         content.extend(records?.iter().map(|record| record.to_json() + "\n"));
     }
     files.push((fits::FILE, content));
+    files.extend(generate_media()?);
     Ok(files)
+}
+
+/// The files of the release about media other than the half-space.
+///
+/// # Errors
+/// The first question that cannot be certified, or whose second method disagrees.
+pub fn generate_media() -> std::result::Result<Vec<(&'static str, String)>, RecordError> {
+    let lines = |records: Vec<Record>| records.iter().map(|record| record.to_json() + "\n").collect();
+    media::FILES.iter().map(|(file, questions)| Ok((*file, lines(media::records(questions)?)))).collect()
 }
 
 /// Answers a case.

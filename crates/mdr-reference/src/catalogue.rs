@@ -8,13 +8,16 @@ use crate::record::Record;
 use crate::text::excerpt;
 
 /// The files of the release, in order.
-const FILES: [&str; 6] = [
+const FILES: [&str; 9] = [
     include_str!("../data/critical.jsonl"),
     include_str!("../data/equilibria.jsonl"),
     include_str!("../data/profiles.jsonl"),
     include_str!("../data/edges.jsonl"),
     include_str!("../data/worst.jsonl"),
     include_str!("../data/fits.jsonl"),
+    include_str!("../data/graded.jsonl"),
+    include_str!("../data/line.jsonl"),
+    include_str!("../data/wave.jsonl"),
 ];
 
 /// All records of this release, parsed once.
