@@ -243,6 +243,42 @@ static void check_histories(void)
     }
 }
 
+/* Surfaces that meet without adhesion (w1 = 0), are pressed in and drawn apart: the least force is the pull-off force of w2, the
+ * more exactly the smaller the step, and the state at the end does not depend on the number of steps. */
+static void check_step_sizes(void)
+{
+    const double R = 1e-6, E = 1e9, w2 = 0.05;
+    jkr_contact contact1, contact2;
+    jkr_state fold, ended[4];
+    double depth, pull_off;
+    long steps, i;
+    int k;
+    jkr_set(&contact1, R, E, 0);
+    jkr_set(&contact2, R, E, w2);
+    jkr_fold(&contact2, JKR_FORCE, &fold);
+    pull_off = -fold.force;
+    jkr_fold(&contact2, JKR_INDENTATION, &fold);
+    depth = -fold.indentation;
+    for (k = 0, steps = 10; k < 4; k++, steps *= 10) {
+        jkr_state state;
+        double least = 0, h = 3.99 * depth / (double)steps;
+        CHECK(jkr_follow(&contact1, &contact2, 0, 3 * depth, &state) == JKR_OK);
+        for (i = 1; i <= steps; i++) {
+            CHECK(jkr_follow(&contact1, &contact2, state.contact_radius, 3 * depth - 3.99 * depth * ((double)i / (double)steps), &state)
+                  == JKR_OK);
+            if (state.force < least)
+                least = state.force;
+        }
+        /* Where F is least, v = 3, its curvature is (3/8) 3^(4/3) E* R/a_c, and a step is nearer than h. */
+        CHECK(-least <= pull_off * (1 + 1e-15));
+        CHECK(pull_off + least <= 0.5 * 1.6225 * E * R / fold.contact_radius * h * h);
+        ended[k] = state;
+        CHECK(fabs(ended[k].contact_radius - ended[0].contact_radius) <= 1e-12 * ended[0].contact_radius);
+        CHECK(jkr_follow(&contact1, &contact2, state.contact_radius, -1.01 * depth, &state) == JKR_DETACHED);
+    }
+    CHECK(jkr_follow(&contact1, &contact2, 2 * fold.contact_radius, -1.01 * depth, &ended[0]) == JKR_DETACHED);
+}
+
 /* ---- Any bits: a status and no NaN ---- */
 
 static int any_nan(const jkr_state *state)
@@ -380,6 +416,7 @@ int main(void)
     check_statuses();
     check_branches();
     check_histories();
+    check_step_sizes();
     check_any_bits();
     check_fast();
     printf("%ld checks, %ld failed\n", checks, failures);
