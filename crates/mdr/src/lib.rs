@@ -123,6 +123,6 @@ pub mod prelude {
     pub use mdr_numeric::path::EventKind;
 
     pub use crate::answer::{Answer, Field, Number, Output, OutputKind, Promise, Value};
-    pub use crate::scene::{Arithmetic, Formula, Measured, Profile, Scene, Start, Want};
+    pub use crate::scene::{Arithmetic, Formula, Grading, Measured, Medium, Profile, Scene, Start, Want};
     pub use crate::{Error, Observer, Run, Stop};
 }

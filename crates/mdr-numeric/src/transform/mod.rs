@@ -14,7 +14,15 @@ mod counted;
 mod gauss;
 mod integral;
 mod integrand;
+mod line;
+mod powers;
 mod quadrature;
 pub(crate) mod strides;
+mod wave;
+mod weighted;
 
+pub use line::Line;
+pub use powers::{Powers, graded_kappa, line_factor};
 pub use quadrature::{Quadrature, Rule};
+pub use wave::Wave;
+pub use weighted::Weighted;

@@ -113,7 +113,7 @@ impl<'s> Certified<'s> {
 
     /// g at radii: proved where it is a closed form.
     fn transform(&self, radii: &[Literal]) -> Result<List<crate::answer::TransformSample>> {
-        if self.scene.profile.is_closed() {
+        if self.scene.is_closed() {
             let items = decide(self.digits, |precision| {
                 Ok(outputs::transform(&self.model::<Interval>(precision)?, radii)?.convert(Enclosure::from))
             })?;
@@ -127,7 +127,7 @@ impl<'s> Certified<'s> {
 
     /// The equilibria with given radii: proved where g is a closed form.
     fn curve(&self, radii: &[Literal]) -> Result<List<crate::answer::CurvePoint>> {
-        if self.scene.profile.is_closed() {
+        if self.scene.is_closed() {
             let items = decide(self.digits, |precision| {
                 let model = self.model::<Interval>(precision)?;
                 Ok(outputs::curve(&model, radii, &*self.admissibility()?)?.convert(Enclosure::from))
@@ -150,7 +150,10 @@ impl<'s> Certified<'s> {
             let model = self.model::<Float>(precision)?;
             let admissibility = self.admissibility()?;
             let folds = refined(&model, self.search()?.folds()?)?.folds.into_iter();
-            Ok(folds.map(|fold| outputs::fold(fold, &admissibility)).collect::<Vec<_>>().convert(Estimate::exact))
+            Ok(folds
+                .map(|fold| outputs::fold(&model, fold, &admissibility))
+                .collect::<Vec<_>>()
+                .convert(Estimate::exact))
         })?;
         Ok(List::new(Promise::Estimated, items).complete(self.searched()?))
     }
@@ -230,10 +233,9 @@ impl<'s> Certified<'s> {
     /// The folds on which proofs rest: of closed forms, and of tables that are short and leave nothing undecided. A longer or
     /// a rougher table is better searched.
     fn fold_proof(&self) -> Result<Option<&FoldProof>> {
-        let profile = &self.scene.profile;
         let folds = once(&self.folds, || {
-            Ok(match profile.rows() {
-                None if profile.is_closed() => Some(FoldProof::new(self)?),
+            Ok(match self.scene.exact_rows() {
+                None if self.scene.is_closed() => Some(FoldProof::new(self)?),
                 Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?).filter(|folds| folds.complete.proved),
                 _ => None,
             })

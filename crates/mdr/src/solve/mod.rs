@@ -18,6 +18,7 @@ pub(crate) mod digits;
 mod force_curve;
 #[cfg(feature = "mp")]
 mod law_path;
+mod media;
 pub(crate) mod model;
 #[cfg(feature = "mp")]
 mod out_of_range;
@@ -51,7 +52,7 @@ use self::search::Search;
 use crate::answer::{Answer, Output, OutputKind};
 use crate::error::{Error, Result};
 use crate::run::{Cost, Counts, Run, Stop};
-use crate::scene::{Scene, Start, Want};
+use crate::scene::{Medium, Scene, Start, Want};
 use crate::validity;
 
 pub(crate) use admissible::admissibility;
@@ -138,6 +139,9 @@ pub(crate) fn drawn<T>(
     octaves: i64,
     draw: impl FnOnce(&Model<f64>, &SearchedBranches<f64>) -> contact::Result<T>,
 ) -> Result<T> {
+    if let Medium::Periodic { .. } = scene.medium {
+        return Err(scene.places.of("medium").refuse("a drawing of a periodic contact is not available; take `curve`"));
+    }
     let counts = Stop::default().counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
@@ -170,14 +174,23 @@ impl<'s> Solver<'s> {
         Ok(Solver { scene, counts, route })
     }
 
-    #[cfg(not(feature = "mp"))]
+    /// An output, without depths where the medium has none.
     fn output(&self, want: &Want) -> contact::Result<Output> {
+        let output = self.output_of(want)?;
+        Ok(match self.scene.medium {
+            Medium::Plane { reference: None } => media::without_depth(output),
+            _ => output,
+        })
+    }
+
+    #[cfg(not(feature = "mp"))]
+    fn output_of(&self, want: &Want) -> contact::Result<Output> {
         let Route::Search(search) = &self.route;
         search.output(want)
     }
 
     #[cfg(feature = "mp")]
-    fn output(&self, want: &Want) -> contact::Result<Output> {
+    fn output_of(&self, want: &Want) -> contact::Result<Output> {
         let law = if want.kind().is_of_profile() { None } else { power_law::PowerLaw::of(self.scene)? };
         if let Some(output) = law.as_ref().map_or(Ok(None), |law| law.output(want))? {
             return Ok(output);

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use mdr_core::contact::{self, Error, Quantity, Result, Stability};
-use mdr_core::number::{Literal, Real};
+use mdr_core::number::Literal;
 use mdr_numeric::admissible::Admissibility;
 
 use super::model::{Model, SceneReal};
@@ -38,7 +38,7 @@ pub(crate) fn curve<R: SceneReal>(
 ) -> Result<Vec<CurvePoint<R>>> {
     let curve = model.contact();
     let at = |literal: &Literal| {
-        let a = model.number(literal);
+        let a = model.size(literal)?;
         let (indentation, force) = match curve.state(&a) {
             Ok((indentation, force)) => (Ok(indentation), Ok(force)),
             Err(error) => (curve.indentation(&a), Err(error)),
@@ -66,14 +66,19 @@ pub(crate) fn curve<R: SceneReal>(
     radii.iter().map(at).collect()
 }
 
-/// A fold, and whether it is admissible.
-pub(crate) fn fold<R: Real>(fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
+/// A fold by its contact radius, and whether it is admissible.
+pub(crate) fn fold<R: SceneReal>(model: &Model<R>, fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
     let verdict = admissibility.of(fold.contact_radius.approx(), fold.indentation.approx());
-    Fold::new(fold, verdict)
+    let contact_radius = model.contact_radius(&fold.contact_radius);
+    Fold::new(contact::Fold { contact_radius, ..fold }, verdict)
 }
 
-/// An equilibrium, and whether it is admissible.
-pub(crate) fn equilibrium<R: Real>(state: contact::Equilibrium<R>, admissibility: &Admissibility) -> Equilibrium<R> {
+/// An equilibrium by its contact radius, and whether it is admissible.
+pub(crate) fn equilibrium<R: SceneReal>(
+    model: &Model<R>,
+    state: contact::Equilibrium<R>,
+    admissibility: &Admissibility,
+) -> Equilibrium<R> {
     let verdict = admissibility.of(state.contact_radius.approx(), state.indentation.approx());
-    Equilibrium::new(state, verdict)
+    Equilibrium::new(model.shown(state), verdict)
 }

@@ -73,7 +73,7 @@ impl FoldProof {
             enclosed = Enclosed::new(certified, precision)?;
         }
         let [lower, upper] = range.each_ref().map(|end| Interval::from_literal(precision, end));
-        let budget = if certified.scene.profile.is_closed() { BUDGET } else { BUDGET_OF_ROWS };
+        let budget = if certified.scene.is_closed() { BUDGET } else { BUDGET_OF_ROWS };
         let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget)?;
         let [from, to] = range;
         let to = match enclosed.value.contact().vertical_edge() {
@@ -110,7 +110,8 @@ pub(super) fn folds(certified: &Certified<'_>, folds: &FoldProof) -> Result<List
         let enclosed = Enclosed::new(certified, precision)?;
         let curve = enclosed.curve();
         let admissibility = certified.admissibility()?;
-        let refined = |fold: &contact::Fold<Interval>| Ok(outputs::fold(curve.refine(fold)?, &admissibility));
+        let refined =
+            |fold: &contact::Fold<Interval>| Ok(outputs::fold(&enclosed.value, curve.refine(fold)?, &admissibility));
         let refined: Result<Vec<Fold<Interval>>> = folds.proved.folds.iter().map(refined).collect();
         Ok(refined?.convert(Enclosure::from))
     })?;
@@ -154,7 +155,8 @@ pub(super) fn equilibria_at(
             let mut states = Vec::new();
             for state in branches.equilibria(&enclosed.value.number(literal))? {
                 if limits.map_or(Ok(true), |limits| is_within(&state, limits))? {
-                    let mut state = outputs::equilibrium(state, &admissibility).convert(Enclosure::from);
+                    let mut state =
+                        outputs::equilibrium(&enclosed.value, state, &admissibility).convert(Enclosure::from);
                     match certified.scene.control {
                         Control::Indentation => state.indentation = exactly(literal),
                         Control::Force => state.force = exactly(literal),
@@ -193,6 +195,8 @@ fn is_within(state: &contact::Equilibrium<Interval>, [lower, upper]: &[Literal; 
 /// A path that was followed over enclosures.
 pub(super) struct Followed {
     path: Path<Interval>,
+    /// The path with contact radii for sizes.
+    shown: Path<Interval>,
     folds: Vec<contact::Fold<Interval>>,
     control: Control<Interval>,
     bits: u32,
@@ -225,7 +229,8 @@ impl Followed {
             error => error,
         })?;
         let folds = branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect();
-        Ok(Followed { path, folds, control: control.clone(), bits: precision.bits() })
+        let shown = path::shown(&path, enclosed.value.contact().medium());
+        Ok(Followed { path, shown, folds, control: control.clone(), bits: precision.bits() })
     }
 
     /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is
@@ -261,7 +266,7 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
     let mut last = None;
     let events = decide_from(precision, certified.digits, |precision| {
         let followed = last.insert(Followed::new(certified, folds, precision)?);
-        let events = path::events(&followed.control, &followed.path, &*certified.admissibility()?);
+        let events = path::events(&followed.control, &followed.shown, &*certified.admissibility()?);
         let mut events = events.convert(Enclosure::from);
         let mut way = scene.path.iter();
         for (record, event) in events.iter_mut().zip(&followed.path.events) {

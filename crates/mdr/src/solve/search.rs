@@ -56,7 +56,7 @@ impl<'s> Search<'s> {
                 folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
             let length = self.model.contact().material_length();
             let transform = Arc::clone(self.model.contact().shared_transform());
-            Arc::new(admissible::admissibility(&self.scene.profile, transform, length, &radii))
+            Arc::new(admissible::of_scene(self.scene, transform, length, &radii))
         };
         Arc::clone(self.admissibility.get_or_init(search))
     }
@@ -90,7 +90,7 @@ impl<'s> Search<'s> {
                 Output::Transform(list(outputs::transform(&self.model, at)?.convert(Estimate::exact)))
             }
             Want::Folds { .. } => {
-                let judged = |fold: &Fold<f64>| outputs::fold(fold.clone(), &self.admissibility());
+                let judged = |fold: &Fold<f64>| outputs::fold(&self.model, fold.clone(), &self.admissibility());
                 let folds: Vec<_> = self.folds()?.folds.iter().map(judged).collect();
                 Output::Folds(list(folds.convert(Estimate::exact)).complete(self.completeness()?))
             }

@@ -86,7 +86,8 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// # Errors
     /// Errors of [`SearchedBranches::search`] that concern more than one value.
     pub(crate) fn equilibria(&self, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium<Estimate<R>>>>> {
-        let describe = |state| Ok(equilibrium(state, self.branches.admissibility()).convert(Estimate::exact));
+        let describe =
+            |state| Ok(equilibrium(self.model, state, self.branches.admissibility()).convert(Estimate::exact));
         values.iter().map(|literal| self.described_at(literal, describe)).collect()
     }
 
@@ -154,7 +155,7 @@ impl<'a, R: SceneReal> States<'a, R> {
             let samples = self.samples(field, &fields, radii, &state.contact_radius)?;
             let admissible = self.admission(field, &fields, &state)?;
             Ok(FieldState {
-                state: state.map(|number| Estimate::exact(number.clone())).into(),
+                state: self.model.shown(state).map(|number| Estimate::exact(number.clone())).into(),
                 field,
                 samples,
                 admissible,
@@ -174,7 +175,8 @@ impl<'a, R: SceneReal> States<'a, R> {
             let admissible = Admission::of(self.verdict(&state));
             let energy = Value::from_result(potential)?;
             let stiffness = Value::from_result(fields.stiffness())?;
-            Ok(EnergyState { state: state.into(), energy, stiffness, admissible }.convert(Estimate::exact))
+            Ok(EnergyState { state: self.model.shown(state).into(), energy, stiffness, admissible }
+                .convert(Estimate::exact))
         })
     }
     /// A field at the radii of the scene, else at fractions of the contact radius.

@@ -35,9 +35,9 @@ fn no_range(scene: &Scene) -> Option<&'static str> {
         return Some("nothing is proved in f64");
     }
     #[cfg(feature = "mp")]
-    if scene.profile.exact_power_law(mdr_core::number::Literal::to_rational).is_some() {
+    if scene.medium.is_half_space() && scene.profile.exact_power_law(mdr_core::number::Literal::to_rational).is_some() {
         return Some("the folds of a power law are a closed form, on all radii");
     }
-    let searched = !scene.profile.is_closed() && scene.profile.rows().is_none();
+    let searched = !scene.is_closed() && scene.profile.rows().is_none();
     searched.then_some("folds of a formula are searched, not proved")
 }
