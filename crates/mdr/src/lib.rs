@@ -67,6 +67,7 @@ mod error;
 pub mod files;
 #[cfg(feature = "fit")]
 pub mod fit;
+mod outputs;
 mod run;
 pub mod scene;
 mod solve;

@@ -11,12 +11,13 @@ use mdr_core::number::Literal;
 use mdr_core::number::{Dual, Interval};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::medium::{Adhesion, Medium};
+use mdr_numeric::path;
 use mdr_numeric::transform::Quadrature;
 
 use super::media::{self, GradedReal};
 use super::weight::weight;
 use crate::run::Counts;
-use crate::scene::{Profile, Scene};
+use crate::scene::{Profile, Scene, Start};
 #[cfg(feature = "mp")]
 use crate::scene::{double, exactly};
 
@@ -118,6 +119,17 @@ impl<R: SceneReal> Model<R> {
             }
             medium => Ok(medium.size(&a)),
         }
+    }
+
+    /// The start of a path, by its size.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for half of a period and more.
+    pub(crate) fn start(&self, start: &Start) -> Result<path::Start<R>> {
+        Ok(match start {
+            Start::Nearest(radius) => path::Start::Nearest(self.size(radius)?),
+            start => start.map(|radius| self.number(radius)),
+        })
     }
 
     /// A state with its contact radius for its size.
