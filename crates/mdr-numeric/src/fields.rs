@@ -204,7 +204,7 @@ impl<R: Special> Fields<R> {
             return Ok(stiffness);
         }
         let slope = self.curve.transform().slope(&self.contact_radius)?;
-        let work = self.curve.adhesion().work();
+        let work = self.curve.adhesion().scale();
         match self.curve.medium().stiffening(work, slope, &self.contact_radius) {
             Some(ratio) => Ok(ratio * stiffness),
             None => {

@@ -19,7 +19,7 @@ use crate::answer::{Admission, AtValue, PlainState, Value};
 #[cfg(feature = "mp")]
 use crate::answer::{Completeness, List, Promise};
 use crate::scene::Scene;
-use crate::solve::model::SceneReal;
+use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
@@ -192,7 +192,9 @@ fn proved_at(
         let at = |literal: &Literal| {
             let mut states = Vec::new();
             for state in branches.equilibria(&enclosed.value.number(literal))? {
-                if limits.map_or(Ok(true), |limits| is_within(&enclosed.value.contact_radius(&state.contact_radius), limits))? {
+                if limits.map_or(Ok(true), |limits| {
+                    is_within(&enclosed.value.contact_radius(&state.contact_radius), limits)
+                })? {
                     let mut state = judged(&enclosed.value, state, &admissibility).convert(Enclosure::from);
                     match certified.scene.control {
                         Control::Indentation => state.indentation = proof::exactly(literal),

@@ -5,9 +5,9 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, FoldKind, Result};
 #[cfg(feature = "mp")]
 use mdr_core::contact::{Control, Regime};
+use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
-use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, Verdict};
 
 use super::key::Key;
@@ -117,7 +117,8 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let admissibility = search.admissibility();
-        let folds: Vec<_> = search.folds()?.folds.iter().map(|fold| judged(&search.model, fold.clone(), &admissibility)).collect();
+        let folds: Vec<_> =
+            search.folds()?.folds.iter().map(|fold| judged(&search.model, fold.clone(), &admissibility)).collect();
         Ok(Output::Folds(search::list(folds).complete(search.completeness()?)))
     }
 

@@ -12,7 +12,7 @@ mod material;
 mod measured;
 mod medium;
 pub(crate) mod parse;
-mod place;
+pub(crate) mod place;
 mod profile;
 mod read;
 pub(crate) mod tree;

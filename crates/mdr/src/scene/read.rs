@@ -179,9 +179,9 @@ impl Scene {
     fn take_control(&mut self, section: &Section<'_>) -> Result<()> {
         let kind = section.required("kind")?.choice("control", &ControlKind::ALL.map(|kind| (kind.name(), kind)))?;
         self.control = match (kind, section.optional("stiffness")) {
-            (ControlKind::Machine, _) => {
-                Control::Machine { stiffness: section.required("stiffness")?.positive(self.medium.unit_of_stiffness())? }
-            }
+            (ControlKind::Machine, _) => Control::Machine {
+                stiffness: section.required("stiffness")?.positive(self.medium.unit_of_stiffness())?,
+            },
             (_, Some(stiffness)) => return Err(stiffness.refuse("only a machine has a stiffness: kind = \"machine\"")),
             (ControlKind::Indentation, None) => Control::Indentation,
             (ControlKind::Force, None) => Control::Force,

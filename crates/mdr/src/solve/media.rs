@@ -359,7 +359,7 @@ pub(crate) fn without_depth(output: Output) -> Output {
                 (event.indentation, event.to_indentation) = (None, None);
             }
         }
-        Output::Field(_, list) => {
+        Output::Pressure(list) | Output::Gap(list) | Output::Displacement(list) => {
             let states = list.items.iter_mut().flat_map(|at| &mut at.items);
             states.for_each(|field| field.state.indentation = none());
         }
