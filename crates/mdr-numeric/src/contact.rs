@@ -188,6 +188,15 @@ impl<R: Real> Contact<R> {
         Ok(self.stiffness(a) * (d.clone() - self.transform.mean(a)?))
     }
 
+    /// The limit of the controlled quantity at the tip, a → 0. It is 0 but on a Winkler foundation, whose springs hold to
+    /// d = −Δl however small the contact.
+    pub(crate) fn tip_value(&self, like: &R) -> R {
+        match (self.medium(), self.control()) {
+            (Medium::Winkler { .. }, Control::Indentation | Control::Machine { .. }) => -self.elongation(&like.lit(1)),
+            _ => like.lit(0),
+        }
+    }
+
     /// S(a), the stiffness of the contact at fixed radius, in N/m.
     pub fn stiffness(&self, a: &R) -> R {
         self.medium.stiffness(a)

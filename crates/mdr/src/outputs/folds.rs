@@ -27,7 +27,7 @@ use crate::solve::{
     certified::Certified,
     digits::{agree, decide},
     power_law::{self, PowerLaw},
-    proof::{Enclosed, FoldProof},
+    proof::{self, Enclosed, FoldProof},
     refine::refined,
 };
 
@@ -145,7 +145,11 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
         let admissibility = certified.admissibility()?;
         let refined = |fold: &contact::Fold<Interval>| Ok(judged(&enclosed.value, curve.refine(fold)?, &admissibility));
         let refined: Result<Vec<Fold<Interval>>> = folds.proved.folds.iter().map(refined).collect();
-        Ok(refined?.convert(Enclosure::from))
+        let mut folds = refined?.convert(Enclosure::from);
+        if certified.scene.breaks_at_zero_depth() {
+            folds.iter_mut().for_each(|fold| fold.indentation = proof::exactly(&0.into()));
+        }
+        Ok(folds)
     })?;
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
 }

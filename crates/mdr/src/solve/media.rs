@@ -6,6 +6,7 @@ use mdr_core::contact::{Body, Error, Quantity, Result, Shape, Status, Transform}
 use mdr_core::number::{Dual, Interval};
 use mdr_core::number::{Gamma, Literal, Special};
 use mdr_numeric::medium;
+use mdr_numeric::path::EventKind;
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::{Line, Powers, Wave, Weighted, graded_kappa};
 
@@ -172,6 +173,25 @@ impl Scene {
             Medium::Periodic { .. } => matches!(self.profile, Profile::Wave(_)),
             _ => powers(&self.profile).is_some(),
         }
+    }
+
+    /// Whether the fold under a dead load is at the depth 0, exactly: that of a power n = (3 + k)/2, such as a paraboloid on a
+    /// Winkler foundation.
+    #[cfg(feature = "mp")]
+    pub(crate) fn breaks_at_zero_depth(&self) -> bool {
+        let k = match &self.medium {
+            Medium::Graded { exponent, .. } => exponent.to_rational(),
+            Medium::Winkler { .. } => 1.into(),
+            _ => return false,
+        };
+        let order = (k + 3u32) / 2u32;
+        let has_order = |(shape, power): &(&Shape<Literal>, Power)| match (shape, power) {
+            (Shape::Power { n, .. }, _) => n.to_rational() == order,
+            (_, Power::First) => order == 1,
+            (_, Power::Second | Power::Given) => order == 2,
+        };
+        let is_dead_load = self.control == mdr_core::contact::Control::Force;
+        is_dead_load && powers(&self.profile).is_some_and(|terms| terms.iter().all(has_order))
     }
 
     /// The rows of a table, where its transform is measured exactly: on a half-space.
@@ -367,6 +387,24 @@ pub(crate) fn without_depth(output: Output) -> Output {
         Output::Transform(_) | Output::Energy(_) => {}
     }
     output
+}
+
+/// What has to be said of the outputs on this medium.
+pub(crate) fn note(scene: &Scene, outputs: &[Output]) -> Option<String> {
+    let is_complete = |output: &Output| match output {
+        Output::Path(path) => path.events.items.iter().any(|event| event.event == EventKind::CompleteContact),
+        _ => false,
+    };
+    match scene.medium {
+        Medium::Plane { reference: None } if scene.has(|kind| !kind.is_of_profile()) => Some(
+            "a line contact has no depth without a reference, [medium] reference; forces are per length".to_owned(),
+        ),
+        Medium::Periodic { .. } if outputs.iter().any(is_complete) => Some(
+            "a complete contact has no edge from which it could open: without a flaw it never detaches, at any tension"
+                .to_owned(),
+        ),
+        _ => None,
+    }
 }
 
 fn not_available(what: &str) -> Error {

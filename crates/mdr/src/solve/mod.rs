@@ -98,6 +98,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     let validity = validity::of(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver.search().ok()));
+    notes.extend(media::note(scene, &outputs));
     let has_states = scene.has(|kind| !kind.is_of_profile());
     let admissibility = if has_states { solver.admissibility().map(|known| known.basis()) } else { None };
     if run.stop.is_stopped() {
@@ -106,6 +107,8 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     Ok(Answer {
         arithmetic: scene.arithmetic,
         profile: scene.profile.name(),
+        medium: scene.medium.name(),
+        force_unit: scene.medium.force_unit(),
         control: scene.names_control().then(|| scene.control.kind()),
         notes,
         outputs,

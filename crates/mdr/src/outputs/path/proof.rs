@@ -104,6 +104,9 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
             {
                 set_exact(record, event, &scene.control, literal);
             }
+            if event.fold.is_some() && event.before.contact().is_some() && scene.breaks_at_zero_depth() {
+                record.indentation = Some(exactly(&0.into()));
+            }
         }
         Ok(events)
     });
