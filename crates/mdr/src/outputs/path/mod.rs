@@ -2,7 +2,7 @@
 
 mod events;
 #[cfg(feature = "mp")]
-pub(crate) mod law;
+mod law;
 #[cfg(feature = "mp")]
 mod proof;
 
