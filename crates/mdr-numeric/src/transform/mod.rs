@@ -15,6 +15,7 @@ mod gauss;
 mod integral;
 mod integrand;
 mod line;
+mod periodic;
 mod powers;
 mod quadrature;
 pub(crate) mod strides;
@@ -22,6 +23,7 @@ mod wave;
 mod weighted;
 
 pub use line::Line;
+pub use periodic::Periodic;
 pub use powers::{Powers, graded_kappa, line_factor};
 pub use quadrature::{Quadrature, Rule};
 pub use wave::Wave;

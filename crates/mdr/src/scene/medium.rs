@@ -264,7 +264,6 @@ impl Scene {
             Medium::Graded { exponent, stiffness } if exponent.is_zero() => {
                 if let Some(modulus) = homogeneous(&stiffness) {
                     self.effective_modulus = modulus;
-                    self.notes.push("a half-space graded with k = 0 is homogeneous, with E* = c".to_owned());
                     return self;
                 }
                 self.medium = Medium::Graded { exponent, stiffness };
@@ -326,12 +325,10 @@ impl Scene {
                 );
                 Err(self.places.of("profile").refuse(why))
             }
-            (Profile::Formula(_) | Profile::Sum(_), Medium::Periodic { .. }) if self.profile.tables().is_empty() => {
-                Ok(())
-            }
+            (Profile::Formula(_), Medium::Periodic { .. }) => Ok(()),
             (Profile::Table(_) | Profile::Sum(_), Medium::Periodic { .. }) => {
-                let why =
-                    "measured rows are not periodic; on a periodic medium take kind = \"wave\" or a periodic formula";
+                let why = "measured rows and sums are not periodic; on a periodic medium take kind = \"wave\" or a periodic \
+                           formula";
                 Err(self.places.of("profile").refuse(why))
             }
             (Profile::Shape(shape), Medium::Periodic { .. }) => {

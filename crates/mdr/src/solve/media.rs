@@ -8,7 +8,7 @@ use mdr_core::number::{Gamma, Literal, Special};
 use mdr_numeric::medium;
 use mdr_numeric::path::EventKind;
 use mdr_numeric::profiles::Heights;
-use mdr_numeric::transform::{Line, Powers, Wave, Weighted, graded_kappa};
+use mdr_numeric::transform::{Line, Periodic, Powers, Wave, Weighted, graded_kappa};
 
 use super::model::{SceneReal, transform as on_half_space};
 use crate::answer::{Output, Value};
@@ -253,8 +253,7 @@ pub(crate) fn transform<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<Box<
             return on_half_space(&scene.profile, ctx, &mut |literal| number(literal), accepted.as_ref());
         }
         Medium::Periodic { wavelength, .. } => {
-            let Profile::Wave(amplitude) = &scene.profile else { return Err(not_available("a periodic medium")) };
-            return Ok(Box::new(Wave::new(number(amplitude), number(wavelength))?));
+            return periodic(&scene.profile, ctx, number(wavelength), accepted);
         }
         Medium::Graded { exponent, .. } => OfMedium::Graded(number(exponent)),
         Medium::Winkler { .. } => OfMedium::Winkler,
@@ -277,6 +276,40 @@ pub(crate) fn transform<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<Box<
         OfMedium::Line => Box::new(Line::new(whole, reference)),
         _ => whole,
     })
+}
+
+/// The transform of a wave, or by quadrature of a periodic formula.
+fn periodic<R: SceneReal>(
+    profile: &Profile,
+    ctx: R::Ctx,
+    wavelength: R,
+    accepted: Option<R>,
+) -> Result<Box<dyn Transform<R>>> {
+    match profile {
+        Profile::Wave(amplitude) => Ok(Box::new(Wave::new(R::from_literal(ctx, amplitude), wavelength)?)),
+        Profile::Formula(formula) => {
+            let quadrature = Periodic::new(bound::<R>(formula, ctx)?, wavelength)?;
+            Ok(Box::new(match accepted {
+                Some(error) => quadrature.accepting(error),
+                None => quadrature,
+            }))
+        }
+        _ => Err(not_available("a periodic medium")),
+    }
+}
+
+/// A formula with its numbers in one arithmetic.
+fn bound<R: SceneReal>(formula: &Formula, ctx: R::Ctx) -> Result<mdr_core::contact::ExpressionProfile<R>> {
+    let values =
+        formula.parameters.iter().map(|(name, literal)| (name.clone(), R::from_literal(ctx, literal))).collect();
+    let bound = formula.expression.bind_numbers::<R>(ctx, &values).map_err(|error| Error::Domain {
+        quantity: Quantity::Parameter("the formula"),
+        value: error.to_string(),
+        requirement: "one whose names all have values",
+    })?;
+    #[cfg(feature = "mp")]
+    let bound = bound.broken_at(ctx, &formula.breaks);
+    Ok(bound)
 }
 
 /// What decides the transform.
@@ -343,21 +376,7 @@ fn quadrature<R: SceneReal>(
             let terms = terms.iter().map(|term| quadrature(term, ctx, medium, accepted)).collect::<Result<_>>()?;
             Box::new(Sum::new(terms))
         }
-        Profile::Formula(Formula { expression, parameters, .. }) => {
-            let values =
-                parameters.iter().map(|(name, literal)| (name.clone(), R::from_literal(ctx, literal))).collect();
-            let bound = expression.bind_numbers::<R>(ctx, &values).map_err(|error| Error::Domain {
-                quantity: Quantity::Parameter("the formula"),
-                value: error.to_string(),
-                requirement: "one whose names all have values",
-            })?;
-            #[cfg(feature = "mp")]
-            let bound = match profile {
-                Profile::Formula(formula) => bound.broken_at(ctx, &formula.breaks),
-                _ => bound,
-            };
-            medium.of(bound, ctx, accepted)
-        }
+        Profile::Formula(formula) => medium.of(bound::<R>(formula, ctx)?, ctx, accepted),
         Profile::Table(measured) => medium.of(measured.table.profile::<R>(ctx)?, ctx, accepted),
         Profile::Wave(_) => return Err(not_available("this medium")),
     })
