@@ -48,3 +48,7 @@ pub use run::{Progress, run, run_against};
 pub use subject::closed::ClosedForms;
 pub use subject::mutation::{Fault, Mutation, faults};
 pub use subject::{Part, Subject, SubjectId, subjects};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -63,3 +63,7 @@ pub use data::{CSV_HEADER, is_data};
 pub use fit::fit;
 pub use judged::judged;
 pub use scene::scene;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -107,3 +107,7 @@ pub use quotient::Quotient;
 pub use rational_function::RationalFunction;
 pub use statement::{Decision, Relation, Statement, Undecided, Witness};
 pub use symbol::Symbol;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
