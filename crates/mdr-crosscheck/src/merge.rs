@@ -37,7 +37,7 @@ enum Content {
 #[non_exhaustive]
 pub enum MergeError {
     /// A line is not one of ours.
-    #[error("line {line} is not a line of a verification: {}", excerpt(&source.to_string()))]
+    #[error("line {line} is no line of a verification: {}", excerpt(&source.to_string()))]
     Line {
         /// Counted from 1.
         line: usize,
@@ -53,7 +53,7 @@ pub enum MergeError {
         what: &'static str,
     },
     /// Not every part is there exactly once.
-    #[error("check {}: the shards do not make a whole: {got} of {count} are here", excerpt(check))]
+    #[error("check {}: incomplete: {got} of {count} shards present", excerpt(check))]
     Incomplete {
         /// The check.
         check: String,
@@ -63,7 +63,7 @@ pub enum MergeError {
         count: u32,
     },
     /// One part of a check occurs twice.
-    #[error("line {line}: shard {shard} of check {} is here twice", excerpt(check))]
+    #[error("line {line}: shard {shard} of check {} is repeated", excerpt(check))]
     Repeated {
         /// Counted from 1.
         line: usize,
@@ -73,7 +73,7 @@ pub enum MergeError {
         check: String,
     },
     /// Nothing at all.
-    #[error("there are no lines to merge")]
+    #[error("no lines to merge")]
     Empty,
 }
 

@@ -39,7 +39,7 @@ pub(crate) fn radius_axis(data: &Diagram) -> Axis {
     if spans_decades(data) {
         Axis::log(NAME, Unit::Si("m"), lower, upper)
     } else {
-        // A wall is seen from outside, too.
+        // A vertical edge is also visible from outside.
         Axis::linear(NAME, Unit::Si("m"), 0.0, if data.wall.is_some() { 1.1 * upper } else { upper })
     }
 }
