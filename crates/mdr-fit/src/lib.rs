@@ -70,3 +70,7 @@ pub use answer::{
 };
 pub use observation::{Leg, Loss, Observation};
 pub use problem::Problem;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
