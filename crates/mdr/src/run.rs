@@ -13,6 +13,7 @@ pub const ARITHMETICS: [&str; 4] = ["f64", "mp", "interval", "interval with slop
 
 /// The cost of an output. Times are measured by the caller.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Cost {
     /// The kind of the output.
     pub output: OutputKind,
