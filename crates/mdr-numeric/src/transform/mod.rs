@@ -11,10 +11,14 @@
 
 mod angles;
 mod counted;
+#[cfg(feature = "mp")]
+mod enclosed;
 mod gauss;
 mod integral;
 mod integrand;
 mod quadrature;
 pub(crate) mod strides;
 
+#[cfg(feature = "mp")]
+pub use enclosed::{Enclosed, EnclosedWithSlopes};
 pub use quadrature::{Quadrature, Rule};
