@@ -1,7 +1,7 @@
 //! A page for each data set of the certified fits, as NIST has for nonlinear regression.
 
 use maud::{Markup, PreEscaped, html};
-use mdr::fit::Problem;
+use mdr_fit::Problem;
 use mdr_reference::{DataSet, Record};
 
 use crate::error::{Error, Result};

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use indicatif::ParallelProgressIterator;
 use mdr::answer::NumberStyle;
-use mdr::fit::{Fit as Answer, FitStatus, Problem};
 use mdr_core::text::excerpt;
+use mdr_fit::{Fit as Answer, FitStatus, Problem};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use crate::error::{Failure, Result};
@@ -214,7 +214,7 @@ fn cells(file: &str, answer: &mdr::Result<Answer>) -> Vec<[String; 7]> {
     match answer {
         Err(error) => vec![[file, "bad-input", &error.to_string(), "", "", "", ""].map(str::to_owned)],
         Ok(answer) => {
-            let row = |estimate: &mdr::fit::Estimate| {
+            let row = |estimate: &mdr_fit::Estimate| {
                 let [file, status, name, unit] =
                     [file, answer.status.name(), &estimate.name, estimate.unit].map(str::to_owned);
                 let [value, stderr, scaled] = [estimate.value, estimate.stderr, estimate.scaled_stderr].map(number);

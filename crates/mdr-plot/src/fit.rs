@@ -1,6 +1,6 @@
 //! The picture of a fit: data with their labels and the fitted arcs, residuals, contact radius.
 
-use mdr::fit::{Fit, FittedRow, Observation};
+use mdr_fit::{Fit, FittedRow, Observation};
 
 use crate::chart::{Colour, Layer, Mark, Panel, Picture, Point, Stroke};
 use crate::{Axis, Unit, typographic};

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::io;
 
 use mdr::Run;
-use mdr::fit::Problem;
 use mdr::prelude::{Arithmetic, Scene, Shape};
 use mdr::units::{NumberError, SiUnit};
+use mdr_fit::Problem;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;

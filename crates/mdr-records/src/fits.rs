@@ -7,10 +7,10 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use mdr::fit::{Certified, Fit, FittedRow, Observation, Problem};
 use mdr::prelude::{Literal, Shape};
 use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Decimal, Precision, Real};
+use mdr_fit::{Certified, Fit, FittedRow, Observation, Problem};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::{DataSet, Method, Record};

@@ -34,7 +34,7 @@ fn proofs_are_derivations() {
 /// Seven data sets were fitted by another program, in sixty digits of which twenty are printed.
 #[test]
 fn fits_are_those_of_another_program() {
-    let other: Json = serde_json::from_str(include_str!("../../mdr/tests/fits/public.json")).unwrap();
+    let other: Json = serde_json::from_str(include_str!("../../mdr-fit/tests/fits/public.json")).unwrap();
     let mut compared = 0;
     for set in data_sets() {
         let same = |other: &&Json| other["id"].as_str().unwrap().eq_ignore_ascii_case(set.name);

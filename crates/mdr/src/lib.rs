@@ -39,7 +39,7 @@
 //! | use the answer | [`Answer`], its [`folds`](Answer::folds), [`path`](Answer::path), … |
 //! | print it | `Answer::to_json`, [`Output::table`](answer::Output::table); in units and notations [`NumberStyle`](answer::NumberStyle) |
 //! | draw it | [`Scene::diagram`] |
-//! | fit a measured curve | `fit::Problem` |
+//! | fit a measured curve | the crate `mdr-fit` |
 //! | one power law, at a point | [`critical()`] |
 //! | whether the theory holds | [`Scene::range_of_adhesion`], [`validity`] |
 //! | many states in f64, from slices | [`batch`] |
@@ -50,7 +50,6 @@
 //! * `mp` (default): certified digits, by GMP and MPFR. Without it the crate is pure Rust, builds for `wasm32-unknown-unknown`,
 //!   and answers in f64; certified digits are [`Error::NeedsMp`]. E* of two bodies and f(0) = 0 of a formula are then decided in
 //!   doubles, formulas with `abs`, `min` or `max` are refused, and numbers out of range have their log₁₀ if f64 can compute it.
-//! * `fit` (default): fits of measured curves, by `levenberg-marquardt` and `nalgebra`.
 //! * `toml`, `serde` (default): scenes as TOML; scenes and answers as JSON.
 //!
 //! # Accuracy
@@ -65,8 +64,6 @@ pub mod diagram;
 pub mod double;
 mod error;
 pub mod files;
-#[cfg(feature = "fit")]
-pub mod fit;
 mod run;
 pub mod scene;
 mod solve;
@@ -114,6 +111,15 @@ pub mod contact {
     pub use mdr_numeric::medium::{Adhesion, Medium};
     pub use mdr_numeric::path;
     pub use mdr_numeric::transform::Quadrature;
+}
+
+/// The reader of TOML and JSON with places, for documents that contain parts of scenes: a fit, for example.
+pub mod reading {
+    #[cfg(feature = "serde")]
+    pub use crate::scene::parse::json;
+    pub use crate::scene::parse::{Source, open, toml};
+    pub use crate::scene::place::Location;
+    pub use crate::scene::tree::{Section, Value, unknown_name_of_input};
 }
 
 /// The items that a program needs: `use mdr::prelude::*`.

@@ -124,13 +124,19 @@ impl Measured {
         Ok(Measured { table, raw, file, smoothing: Some(Smoothing { length, tip }) })
     }
 
+    /// The mean distance of the rows of the file, in m.
+    pub fn spacing(&self) -> f64 {
+        let rows = self.file.rows();
+        rows.last().map_or(0.0, |row| row.radius.nearest_f64()) / rows.len() as f64
+    }
+
     /// The length that it is smoothed over.
-    pub(crate) fn length(&self) -> Option<f64> {
+    pub fn length(&self) -> Option<f64> {
         self.smoothing.map(|smoothing| smoothing.length)
     }
 
     /// The rows smoothed over another length, or as they are.
-    pub(crate) fn smoothed(&self, length: Option<f64>) -> Option<Measured> {
+    pub fn smoothed(&self, length: Option<f64>) -> Option<Measured> {
         let table = match length {
             Some(length) => self.file.smoothed(length).ok()?.0,
             None => self.raw.clone(),
@@ -139,7 +145,10 @@ impl Measured {
     }
 
     /// Refuses heights that are measured the wrong way.
-    pub(crate) fn require_rising(&self, place: &Location) -> Result<()> {
+    ///
+    /// # Errors
+    /// Heights that fall outward from the tip.
+    pub fn require_rising(&self, place: &Location) -> Result<()> {
         if !self.table.falls_outward() {
             return Ok(());
         }

@@ -11,7 +11,7 @@ mod inputs;
 mod material;
 mod measured;
 pub(crate) mod parse;
-mod place;
+pub(crate) mod place;
 mod profile;
 mod read;
 pub(crate) mod tree;

@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::files;
 
 /// The text of a file or a pipe, read once.
-pub(crate) struct Source {
+pub struct Source {
     name: String,
     text: String,
     /// Where the files are that it names.
@@ -23,7 +23,7 @@ impl Source {
     ///
     /// # Errors
     /// A file that cannot be read, is no text or too large.
-    pub(crate) fn open(path: &Path) -> Result<Source> {
+    pub fn open(path: &Path) -> Result<Source> {
         let name = path.display().to_string();
         let read = files::argument(path).and_then(files::text);
         let text = read.map_err(|source| Error::Io { name: name.clone(), source })?;
@@ -37,7 +37,7 @@ impl Source {
     ///
     /// # Errors
     /// With name, line and key.
-    pub(crate) fn read<T>(&self, read: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
+    pub fn read<T>(&self, read: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
         let files = |file: &str| files::named(self.folder.join(file));
         #[cfg(feature = "serde")]
         if self.is_json {
@@ -55,8 +55,8 @@ pub(crate) fn is_json(text: &str) -> bool {
 /// Opens a `.toml` or `.json` file. The files that it names are beside it.
 ///
 /// # Errors
-/// A file that cannot be read; as [`toml`].
-pub(crate) fn open<T>(path: &Path, read: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
+/// A file that cannot be read; with name, line and key what `read` refuses.
+pub fn open<T>(path: &Path, read: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
     Source::open(path)?.read(read)
 }
 
@@ -75,19 +75,18 @@ fn without_mark(text: &str) -> &str {
 /// # Errors
 /// With name, line and key; always in a build without the feature `toml`.
 #[cfg(feature = "toml")]
-pub(crate) fn toml<T>(
-    text: &str,
-    name: &str,
-    files: Files<'_>,
-    read: impl FnOnce(&Section<'_>) -> Result<T>,
-) -> Result<T> {
+pub fn toml<T>(text: &str, name: &str, files: Files<'_>, read: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
     let text = without_mark(text);
     let document = Document::new(name, text, "TOML", files);
     read(&Section::top(&document, &toml_node(text, &document)?)?)
 }
 
+/// An error: this build is without the feature `toml`.
+///
+/// # Errors
+/// Always.
 #[cfg(not(feature = "toml"))]
-pub(crate) fn toml<T>(_: &str, name: &str, _: Files<'_>, _: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
+pub fn toml<T>(_: &str, name: &str, _: Files<'_>, _: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
     let source = std::io::Error::new(std::io::ErrorKind::Unsupported, "this build is without the feature `toml`");
     Err(Error::Io { name: name.to_owned(), source })
 }
@@ -97,12 +96,7 @@ pub(crate) fn toml<T>(_: &str, name: &str, _: Files<'_>, _: impl FnOnce(&Section
 /// # Errors
 /// A text that is no JSON or is nested too deep, and what `read` refuses, with name, line and key.
 #[cfg(feature = "serde")]
-pub(crate) fn json<T>(
-    text: &str,
-    name: &str,
-    files: Files<'_>,
-    read: impl FnOnce(&Section<'_>) -> Result<T>,
-) -> Result<T> {
+pub fn json<T>(text: &str, name: &str, files: Files<'_>, read: impl FnOnce(&Section<'_>) -> Result<T>) -> Result<T> {
     let text = without_mark(text);
     let document = Document::new(name, text, "JSON", files);
     if let Some(at) = json::too_deep(text) {

@@ -11,19 +11,24 @@ use crate::error::{Error, Place, Result};
 
 /// A key of a scene, and where it stands if it was read from a file.
 #[derive(Clone, Debug)]
-pub(crate) struct Location {
+pub struct Location {
     pub(crate) place: Option<Place>,
     pub(crate) key: String,
 }
 
 impl Location {
     /// A key of a scene that was built.
-    pub(crate) fn built(key: &str) -> Self {
+    pub fn built(key: &str) -> Self {
         Location { place: None, key: key.to_owned() }
     }
 
-    /// A text that is no number in the unit of the key.
-    pub(crate) fn no_number(&self, text: &str, error: &NumberError) -> Error {
+    /// The key, with its table: `profile.radius`.
+    pub fn key(&self) -> &str {
+        &self.key
+    }
+
+    /// The complaint about a text that is no number in the unit of the key.
+    pub fn no_number(&self, text: &str, error: &NumberError) -> Error {
         match error {
             NumberError::Dimension { .. } => self.refuse(error.of(self.key.rsplit('.').next().unwrap_or_default())),
             error => self.refuse(format!("`{}` is {error}", excerpt(text))),
@@ -31,7 +36,10 @@ impl Location {
     }
 
     /// A number that must be above zero.
-    pub(crate) fn require_positive(&self, number: Literal) -> Result<Literal> {
+    ///
+    /// # Errors
+    /// A number that is not.
+    pub fn require_positive(&self, number: Literal) -> Result<Literal> {
         if number.is_zero() || number.is_negative() {
             return Err(self.refuse(format!("must be positive, got {}", excerpt(&number.to_string()))));
         }
@@ -39,7 +47,7 @@ impl Location {
     }
 
     /// The complaint `file:line: key: why`.
-    pub(crate) fn refuse(&self, why: impl Into<String>) -> Error {
+    pub fn refuse(&self, why: impl Into<String>) -> Error {
         Error::Scene { place: self.place.clone(), key: self.key.clone(), why: why.into() }
     }
 }

@@ -85,6 +85,11 @@ impl Formula {
         Formula::with(text, parameters).map_err(|why| Location::built("profile.formula").refuse(why))
     }
 
+    /// Whether it has no `abs`, `min` or `max`, so that its derivatives do not jump.
+    pub fn is_smooth(&self) -> bool {
+        self.expression.is_smooth()
+    }
+
     fn with(text: &str, parameters: BTreeMap<String, Literal>) -> std::result::Result<Formula, String> {
         let refused = |error: mdr_core::contact::ExpressionError| error.to_string();
         let expression: Expression = text.parse().map_err(refused)?;
@@ -190,7 +195,7 @@ impl Profile {
     }
 
     /// Whether it is a formula, or a sum with one.
-    pub(crate) fn has_formula(&self) -> bool {
+    pub fn has_formula(&self) -> bool {
         match self {
             Profile::Sum(terms) => terms.iter().any(Profile::has_formula),
             Profile::Formula(_) => true,
@@ -199,12 +204,12 @@ impl Profile {
     }
 
     /// The rows of a table.
-    pub(crate) fn rows(&self) -> Option<usize> {
+    pub fn rows(&self) -> Option<usize> {
         if let Profile::Table(measured) = self { Some(measured.table.rows().len()) } else { None }
     }
 
     /// The tables in it.
-    pub(crate) fn tables(&self) -> Vec<&Measured> {
+    pub fn tables(&self) -> Vec<&Measured> {
         match self {
             Profile::Sum(terms) => terms.iter().flat_map(Profile::tables).collect(),
             Profile::Table(measured) => vec![measured],
@@ -213,7 +218,7 @@ impl Profile {
     }
 
     /// The profile with other tables; `None` if one of them cannot be made.
-    pub(crate) fn with_tables(&self, change: &impl Fn(&Measured) -> Option<Measured>) -> Option<Profile> {
+    pub fn with_tables(&self, change: &impl Fn(&Measured) -> Option<Measured>) -> Option<Profile> {
         Some(match self {
             Profile::Sum(terms) => {
                 Profile::Sum(terms.iter().map(|term| term.with_tables(change)).collect::<Option<_>>()?)
@@ -224,7 +229,7 @@ impl Profile {
     }
 
     /// Its numbers, with the keys they have in a scene.
-    pub(crate) fn numbers(&self) -> Vec<(Literal, Location)> {
+    pub fn numbers(&self) -> Vec<(Literal, Location)> {
         let at = |(key, number): (&str, &Literal)| (number.clone(), Location::built(&format!("profile.{key}")));
         match self {
             Profile::Shape(shape) => shape.parameters().into_iter().map(at).collect(),
@@ -237,8 +242,7 @@ impl Profile {
     }
 
     /// The units of its numbers, in the order of [`Profile::numbers`].
-    #[cfg(feature = "fit")]
-    pub(crate) fn units(&self) -> Vec<SiUnit> {
+    pub fn units(&self) -> Vec<SiUnit> {
         match self {
             Profile::Shape(shape) => shape.units().into_iter().map(|(_, unit)| unit).collect(),
             Profile::Sum(terms) => terms.iter().flat_map(Profile::units).collect(),
@@ -248,8 +252,7 @@ impl Profile {
     }
 
     /// The profile with other numbers, in the order of [`Profile::numbers`]; numbers that are not given stay.
-    #[cfg(feature = "fit")]
-    pub(crate) fn with_numbers(&self, numbers: &mut impl Iterator<Item = Literal>) -> Profile {
+    pub fn with_numbers(&self, numbers: &mut impl Iterator<Item = Literal>) -> Profile {
         match self {
             Profile::Shape(shape) => {
                 Profile::Shape(shape.map(|_, number| numbers.next().unwrap_or_else(|| number.clone())))
@@ -264,7 +267,11 @@ impl Profile {
         }
     }
 
-    pub(crate) fn read(section: &Section<'_>) -> Result<Profile> {
+    /// Reads the table `[profile]` of a document.
+    ///
+    /// # Errors
+    /// A kind that is none, a key that is missing or unknown, a number out of its domain, with their places.
+    pub fn read(section: &Section<'_>) -> Result<Profile> {
         /// The kinds that are no shapes of the library.
         const OTHERS: [&str; 3] = ["sum", "expression", "table"];
         let kind = section.required("kind")?;

@@ -72,7 +72,7 @@ impl<'f> Document<'f> {
 }
 
 /// A table of the document, from which keys are taken by name. [`finish`](Section::finish) refuses what nobody took.
-pub(crate) struct Section<'a> {
+pub struct Section<'a> {
     pub(super) document: &'a Document<'a>,
     /// `profile` or `profile.term`; empty at the top.
     name: String,
@@ -89,18 +89,26 @@ impl<'a> Section<'a> {
         Ok(section)
     }
 
-    pub(crate) fn optional(&self, key: &'static str) -> Option<Value<'a>> {
+    /// The value of a key, if it is there.
+    pub fn optional(&self, key: &'static str) -> Option<Value<'a>> {
         self.asked.borrow_mut().push(key);
         let entry = self.entries.iter().find(|entry| entry.key == key)?;
         Some(Value { document: self.document, key: self.full(key), node: &entry.value })
     }
 
-    pub(crate) fn required(&self, key: &'static str) -> Result<Value<'a>> {
+    /// The value of a key.
+    ///
+    /// # Errors
+    /// A key that is not there, with the place of the table.
+    pub fn required(&self, key: &'static str) -> Result<Value<'a>> {
         self.optional(key).ok_or_else(|| self.missing(&[key]))
     }
 
     /// Exactly one of several keys that say the same in different ways; its position in `keys` with its value.
-    pub(crate) fn one_of(&self, keys: &[&'static str]) -> Result<(usize, Value<'a>)> {
+    ///
+    /// # Errors
+    /// None of the keys, or more than one.
+    pub fn one_of(&self, keys: &[&'static str]) -> Result<(usize, Value<'a>)> {
         let mut given = keys.iter().enumerate().filter_map(|(index, key)| Some((index, self.optional(key)?)));
         match (given.next(), given.next()) {
             (Some(found), None) => Ok(found),
@@ -111,28 +119,35 @@ impl<'a> Section<'a> {
         }
     }
 
-    pub(crate) fn section(&self, key: &'static str) -> Result<Section<'a>> {
+    /// The table under a key.
+    ///
+    /// # Errors
+    /// A key that is not there, or is no table.
+    pub fn section(&self, key: &'static str) -> Result<Section<'a>> {
         self.required(key)?.section()
     }
 
     /// A table that may be left out.
-    pub(crate) fn optional_section(&self, key: &'static str) -> Result<Option<Section<'a>>> {
+    ///
+    /// # Errors
+    /// A value that is no table.
+    pub fn optional_section(&self, key: &'static str) -> Result<Option<Section<'a>>> {
         self.optional(key).map(|table| table.section()).transpose()
     }
 
     /// Where the table begins.
-    pub(crate) fn place(&self) -> Location {
+    pub fn place(&self) -> Location {
         self.document.place(self.span.clone(), &self.name)
     }
 
     /// The place of the first of these keys that is there, else of the table.
-    pub(crate) fn place_of(&self, keys: &[&'static str]) -> Location {
+    pub fn place_of(&self, keys: &[&'static str]) -> Location {
         let given = keys.iter().find_map(|key| self.optional(key));
         given.map_or_else(|| self.place(), |value| value.place())
     }
 
     /// Every entry of the table, for tables whose keys are the user's own names.
-    pub(crate) fn entries(&self) -> impl Iterator<Item = (String, Value<'a>)> {
+    pub fn entries(&self) -> impl Iterator<Item = (String, Value<'a>)> {
         self.entries.iter().map(|entry| {
             let value = Value { document: self.document, key: self.full(&entry.key), node: &entry.value };
             (entry.key.clone(), value)
@@ -140,7 +155,10 @@ impl<'a> Section<'a> {
     }
 
     /// Refuses the first key that was never asked for, with the nearest name that was.
-    pub(crate) fn finish(&self) -> Result<()> {
+    ///
+    /// # Errors
+    /// A key that nobody asked for.
+    pub fn finish(&self) -> Result<()> {
         let asked = self.asked.borrow();
         match self.entries.iter().find(|entry| !asked.iter().any(|known| *known == entry.key)) {
             None => Ok(()),
@@ -168,29 +186,33 @@ impl<'a> Section<'a> {
 }
 
 /// A value with the key it stands under.
-pub(crate) struct Value<'a> {
+pub struct Value<'a> {
     document: &'a Document<'a>,
     key: String,
     node: &'a Node,
 }
 
 impl<'a> Value<'a> {
-    /// This value is refused.
-    pub(crate) fn refuse(&self, why: impl Into<String>) -> Error {
+    /// The complaint `file:line: key: why` about this value.
+    pub fn refuse(&self, why: impl Into<String>) -> Error {
         self.place().refuse(why)
     }
 
-    pub(crate) fn place(&self) -> Location {
+    /// Where it stands.
+    pub fn place(&self) -> Location {
         self.document.place(self.node.span.clone(), &self.key)
     }
 
     /// The bytes of a file that is named here.
-    pub(crate) fn bytes(&self, file: &str) -> Result<Vec<u8>> {
+    ///
+    /// # Errors
+    /// A file that cannot be read.
+    pub fn bytes(&self, file: &str) -> Result<Vec<u8>> {
         (self.document.files)(file).map_err(|error| self.refuse_file(file, &error))
     }
 
-    /// Such a file is refused, which is called with the folder of the scene.
-    pub(crate) fn refuse_file(&self, file: &str, why: &dyn std::fmt::Display) -> Error {
+    /// The complaint about a file that is named here, by its path.
+    pub fn refuse_file(&self, file: &str, why: &dyn std::fmt::Display) -> Error {
         let folder = std::path::Path::new(&self.document.name).parent().unwrap_or(std::path::Path::new(""));
         let file = folder.join(file).display().to_string();
         self.refuse(format!("{}: {why}", excerpt(&file)))
@@ -203,14 +225,20 @@ impl<'a> Value<'a> {
 
     /// An exact number: a number, whose decimals are kept, or a string such as "1e-4", "1/3", or "5 um" in a unit of the dimension of
     /// `unit`.
-    pub(crate) fn number(&self, unit: SiUnit) -> Result<Literal> {
+    ///
+    /// # Errors
+    /// What is no number, or has a unit of another dimension.
+    pub fn number(&self, unit: SiUnit) -> Result<Literal> {
         let number = self.row_number(unit)?;
         self.document.numbers.borrow_mut().push((number.clone(), self.place()));
         Ok(number)
     }
 
     /// A number of measured data, whose place is not kept for later complaints.
-    pub(crate) fn row_number(&self, unit: SiUnit) -> Result<Literal> {
+    ///
+    /// # Errors
+    /// What is no number, or has a unit of another dimension.
+    pub fn row_number(&self, unit: SiUnit) -> Result<Literal> {
         let (Content::Text(text) | Content::Number(text)) = &self.node.content else {
             return Err(self.expected("a number"));
         };
@@ -218,19 +246,25 @@ impl<'a> Value<'a> {
     }
 
     /// Why its number has a unit that cannot be its own, if it has.
-    pub(crate) fn refused_unit(&self, unit: SiUnit) -> Option<Error> {
+    pub fn refused_unit(&self, unit: SiUnit) -> Option<Error> {
         let text = self.text().ok()?;
         let error = unit.read(text).err().filter(|error| !matches!(error, NumberError::Literal(_)))?;
         Some(self.place().no_number(text, &error))
     }
 
     /// A number above zero.
-    pub(crate) fn positive(&self, unit: SiUnit) -> Result<Literal> {
+    ///
+    /// # Errors
+    /// A number that is not above zero, or is none.
+    pub fn positive(&self, unit: SiUnit) -> Result<Literal> {
         self.place().require_positive(self.number(unit)?)
     }
 
     /// Zero or a number above it.
-    pub(crate) fn not_negative(&self, unit: SiUnit) -> Result<Literal> {
+    ///
+    /// # Errors
+    /// A number below zero, or none.
+    pub fn not_negative(&self, unit: SiUnit) -> Result<Literal> {
         let number = self.number(unit)?;
         if number.is_negative() {
             return Err(self.refuse(format!("must not be negative, got {}", excerpt(&number.to_string()))));
@@ -239,15 +273,18 @@ impl<'a> Value<'a> {
     }
 
     /// A list of numbers of a unit, each read by `read`.
-    pub(crate) fn numbers(
-        &self,
-        unit: SiUnit,
-        read: fn(&Value<'a>, SiUnit) -> Result<Literal>,
-    ) -> Result<Vec<Literal>> {
+    ///
+    /// # Errors
+    /// A value that is no list, and what `read` refuses.
+    pub fn numbers(&self, unit: SiUnit, read: fn(&Value<'a>, SiUnit) -> Result<Literal>) -> Result<Vec<Literal>> {
         self.list()?.iter().map(|value| read(value, unit)).collect()
     }
 
-    pub(crate) fn text(&self) -> Result<&'a str> {
+    /// The text of a string.
+    ///
+    /// # Errors
+    /// A value that is no string.
+    pub fn text(&self) -> Result<&'a str> {
         match &self.node.content {
             Content::Text(text) => Ok(text),
             _ => Err(self.expected("a string")),
@@ -255,7 +292,10 @@ impl<'a> Value<'a> {
     }
 
     /// One of several names.
-    pub(crate) fn choice<T: Copy>(&self, what: &str, choices: &[(&'static str, T)]) -> Result<T> {
+    ///
+    /// # Errors
+    /// A string that is none of the names, with the nearest.
+    pub fn choice<T: Copy>(&self, what: &str, choices: &[(&'static str, T)]) -> Result<T> {
         let text = self.text()?;
         choices.iter().find(|(name, _)| *name == text).map(|(_, choice)| *choice).ok_or_else(|| {
             let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
@@ -263,7 +303,11 @@ impl<'a> Value<'a> {
         })
     }
 
-    pub(crate) fn whole(&self, least: u32, most: u32) -> Result<u32> {
+    /// A whole number within bounds.
+    ///
+    /// # Errors
+    /// Another number, or none.
+    pub fn whole(&self, least: u32, most: u32) -> Result<u32> {
         let number = self.number(SiUnit::One)?;
         let whole = number.to_string().parse::<u32>().ok().filter(|value| (least..=most).contains(value));
         let given = number.to_string();
@@ -272,13 +316,19 @@ impl<'a> Value<'a> {
         })
     }
 
-    /// A list of at most [`MOST_ENTRIES`].
-    pub(crate) fn list(&self) -> Result<Vec<Value<'a>>> {
+    /// A list of at most 100 000 entries.
+    ///
+    /// # Errors
+    /// A value that is no list, or a longer one.
+    pub fn list(&self) -> Result<Vec<Value<'a>>> {
         self.list_of(MOST_ENTRIES, "ask for fewer, or in several scenes")
     }
 
     /// A list of so many entries at `most`, or of fewer by the `remedy`.
-    pub(crate) fn list_of(&self, most: usize, remedy: &str) -> Result<Vec<Value<'a>>> {
+    ///
+    /// # Errors
+    /// A value that is no list, or a longer one.
+    pub fn list_of(&self, most: usize, remedy: &str) -> Result<Vec<Value<'a>>> {
         match &self.node.content {
             Content::List(items) if items.len() > most => {
                 Err(self.refuse(format!("a list of {} entries; at most {most} are read: {remedy}", items.len())))
@@ -291,7 +341,11 @@ impl<'a> Value<'a> {
         }
     }
 
-    pub(crate) fn section(&self) -> Result<Section<'a>> {
+    /// The table that it is.
+    ///
+    /// # Errors
+    /// A value that is no table.
+    pub fn section(&self) -> Result<Section<'a>> {
         match &self.node.content {
             Content::Table(entries) => Ok(Section {
                 document: self.document,
@@ -310,9 +364,8 @@ pub(crate) fn unknown_name(what: &str, name: &str, known: &[&str]) -> String {
     unknown(what, name, known, &format!("`{}`", known.join("`, `")))
 }
 
-/// The complaint of [`unknown_name`] where the known names come from an input, too, and may be many or long.
-#[cfg(feature = "fit")]
-pub(crate) fn unknown_name_of_input(what: &str, name: &str, known: &[&str]) -> String {
+/// The complaint about an unknown name: `did you mean …?`, or an excerpt of the list of known names, which may come from an input.
+pub fn unknown_name_of_input(what: &str, name: &str, known: &[&str]) -> String {
     unknown(what, name, known, &excerpt(&format!("`{}`", known.join("`, `"))).to_string())
 }
 

@@ -176,7 +176,7 @@ fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f6
 ///
 /// # Errors
 /// A parameter out of the domain of the profile.
-pub(crate) fn transform<R: Struve + Kappa>(
+fn transform<R: Struve + Kappa>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
@@ -227,6 +227,21 @@ fn by_formulas<R: Struve + Kappa>(
         }
         Profile::Table(measured) => Box::new(measured.table.profile::<R>(ctx)?),
     })
+}
+
+impl Profile {
+    /// The transformed profile g in one arithmetic: a closed form where there is one, quadrature for a formula, exact pieces for a
+    /// table. `number` turns its numbers into that arithmetic, in the order of [`Profile::numbers`].
+    ///
+    /// # Errors
+    /// A parameter out of the domain of the profile.
+    pub fn transform<R: Struve + Kappa>(
+        &self,
+        ctx: R::Ctx,
+        number: &mut dyn FnMut(&Literal) -> R,
+    ) -> Result<Box<dyn Transform<R>>> {
+        transform(self, ctx, number, None)
+    }
 }
 
 /// The transform of a profile in f64.

@@ -31,8 +31,7 @@ impl Costs {
             _ => 3,
         };
         let size = bits * bits / 8000;
-        let costs =
-            Costs { form: 1500 + 25 * bits + 10 * size, operation: 60 + bits / 5 + size, row: 4000 + 10 * bits };
+        let costs = Costs { form: 1500 + 25 * bits + 10 * size, operation: 60 + bits / 5 + size, row: 1000 + 3 * bits };
         Costs { form: times * costs.form, operation: times * costs.operation, row: times * costs.row }
     }
 

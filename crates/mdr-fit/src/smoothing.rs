@@ -4,7 +4,7 @@ use super::answer::{Fit, SmoothedFit};
 use super::drive;
 use super::problem::Problem;
 use super::start::Source;
-use crate::scene::Measured;
+use mdr::scene::Measured;
 
 /// Lengths over the one that is stated; `None` for the rows as they are.
 const FACTORS: [Option<f64>; 3] = [None, Some(0.5), Some(2.0)];
@@ -20,8 +20,7 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem) {
     let lengths: Vec<Option<f64>> = match stated {
         Some(length) => FACTORS.iter().map(|factor| factor.map(|factor| factor * length)).collect(),
         None => {
-            let rows = first.file.rows();
-            let spacing = rows.last().map_or(0.0, |row| row.radius.nearest_f64()) / rows.len() as f64;
+            let spacing = first.spacing();
             let widest = fit.rows.iter().filter_map(|row| row.contact_radius).fold(0.0, f64::max);
             SPACINGS.iter().map(|count| count * spacing).filter(|length| *length < widest).map(Some).collect()
         }

@@ -8,7 +8,7 @@ use super::minimise::Minimum;
 use super::objective::Objective;
 use super::observation::Observation;
 use super::problem::Kind;
-use crate::scene::Profile;
+use mdr::scene::Profile;
 
 /// A singular value below this share of the largest leaves a direction nearly open.
 const NEARLY_OPEN: f64 = 1e-3;

@@ -8,10 +8,12 @@ use mdr_core::units::SiUnit;
 use super::data::{self, Columns};
 use super::observation::{Loss, Observation};
 use super::problem::{DataRow, Problem};
-use crate::error::{Error, Result};
-use crate::files;
-use crate::scene::tree::{Files, Section, Value};
-use crate::scene::{Location, MAX_DIGITS, Profile, parse};
+use mdr::files;
+use mdr::reading::Location;
+use mdr::reading::{self, Section, Value};
+use mdr::scene::Files;
+use mdr::scene::{MAX_DIGITS, Profile};
+use mdr::{Error, Result};
 
 impl Problem {
     /// Reads a `.toml` or `.json` file; the data are read from a file beside it, or are in it.
@@ -19,7 +21,7 @@ impl Problem {
     /// # Errors
     /// A file that cannot be read, or is no fit, with file, line and key.
     pub fn open(file: impl AsRef<Path>) -> Result<Problem> {
-        parse::open(file.as_ref(), |top| read(top, None))
+        reading::open(file.as_ref(), |top| read(top, None))
     }
 
     /// Reads a fit like [`Problem::open`], with another curve in place of its data.
@@ -36,7 +38,7 @@ impl Problem {
     /// # Errors
     /// A fit that cannot be read. For each curve: a file that cannot be read, or is no fit, with file, line and key.
     pub fn opener(file: impl AsRef<Path>) -> Result<impl Fn(&Path) -> Result<Problem> + Sync> {
-        let source = parse::Source::open(file.as_ref())?;
+        let source = reading::Source::open(file.as_ref())?;
         Ok(move |curve: &Path| {
             let name = curve.display().to_string();
             let text = files::argument(curve).and_then(files::text);
@@ -50,7 +52,7 @@ impl Problem {
     /// # Errors
     /// A text that is no fit, with name, line and key.
     pub fn from_toml(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
-        parse::toml(text, name, files, |top| read(top, None))
+        reading::toml(text, name, files, |top| read(top, None))
     }
 
     /// Reads a fit as JSON, with the keys of a TOML file.
@@ -59,7 +61,7 @@ impl Problem {
     /// A text that is no fit, with name, line and key.
     #[cfg(feature = "serde")]
     pub fn from_json(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
-        parse::json(text, name, files, |top| read(top, None))
+        reading::json(text, name, files, |top| read(top, None))
     }
 }
 

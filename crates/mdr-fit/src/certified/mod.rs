@@ -21,7 +21,7 @@ use super::minimise::Minimum;
 use super::objective::Objective;
 use super::observation::Loss;
 use super::problem::Kind;
-use crate::scene::Profile;
+use mdr::scene::Profile;
 
 const OUT_OF_RANGE: &str = "a number is out of range";
 

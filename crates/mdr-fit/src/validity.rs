@@ -6,8 +6,8 @@ use mdr_core::number::{Exact, Literal};
 use super::answer::{Fit, FitStatus};
 use super::contact::Numbers;
 use super::problem::Problem;
-use crate::error::Result;
-use crate::scene::{Arithmetic, Scene};
+use mdr::Result;
+use mdr::scene::{Arithmetic, Scene};
 
 /// Adds whether the theory holds for the contact with these numbers, by the range of adhesion, and a warning if it does not;
 /// nothing without a range, or if the data do not determine the contact.
@@ -18,7 +18,7 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem, numbers: &Numbers<f64>) -> R
     let profile = problem.profile.with_numbers(&mut fitted.into_iter());
     let scene = Scene::new(profile, Elasticity::effective(numbers.e_star)?, numbers.work)?;
     let validity = scene.range_of_adhesion(range)?.arithmetic(Arithmetic::Double).validity()?;
-    if validity.regime != crate::validity::AdhesionRegime::Jkr {
+    if validity.regime != mdr::validity::AdhesionRegime::Jkr {
         fit.warnings.push(validity.advice());
     }
     fit.validity = Some(Box::new(validity));

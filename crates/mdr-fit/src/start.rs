@@ -10,7 +10,7 @@ use super::hypotheses;
 use super::objective::Objective;
 use super::observation::{Leg, Observation};
 use super::problem::{Kind, Problem};
-use crate::scene::Profile;
+use mdr::scene::Profile;
 
 /// Materials to try, w/E* against the span of depths: three in a decade.
 const LENGTHS: std::ops::RangeInclusive<i32> = -27..=6;

@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use mdr::fit::{Observation, Problem};
 use mdr::prelude::*;
 use mdr_analytic::profiles::closed_form;
+use mdr_fit::{Observation, Problem};
 
 const E_STAR: f64 = 2e6;
 const WORK: f64 = 0.05;

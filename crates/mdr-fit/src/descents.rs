@@ -6,8 +6,9 @@ use super::arcs::Arc;
 use super::minimise::{self, Minimum};
 use super::objective::{AtFold, Objective};
 use super::start::{self, Source};
-use crate::error::Result;
-use crate::scene::{Location, Profile};
+use mdr::Result;
+use mdr::reading::Location;
+use mdr::scene::Profile;
 
 /// Scales of X, in its last scale, from which the labels of a bad start find their way.
 const CONTINUATION: [f64; 3] = [70.0, 15.0, 4.0];
@@ -280,7 +281,7 @@ fn near_fold(objective: &Objective<'_>, minimum: &Minimum) -> mdr_core::contact:
 }
 
 /// Why nothing was found.
-fn no_start(objective: &Objective<'_>, failure: Option<mdr_core::contact::Error>) -> crate::Error {
+fn no_start(objective: &Objective<'_>, failure: Option<mdr_core::contact::Error>) -> mdr::Error {
     match failure {
         Some(error) => objective.problem.place.refuse(format!(
             "no minimum was found from any start: {error} on the way; give a start, bounds, or fewer free numbers"

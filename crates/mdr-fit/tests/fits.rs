@@ -1,9 +1,8 @@
 //! Fits of the published data sets, whose estimates are certified by another program in 60 digits.
-#![cfg(feature = "fit")]
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
-use mdr::fit::{Fit, FitStatus, Observation, Problem};
 use mdr::prelude::*;
+use mdr_fit::{Fit, FitStatus, Observation, Problem};
 use serde_json::Value as Json;
 
 /// A data set by its name.

@@ -5,7 +5,7 @@
 //! none is compared with a curve beyond its fold.
 //!
 //! ```
-//! use mdr::fit::{Observation, Problem};
+//! use mdr_fit::{Observation, Problem};
 //! use mdr::prelude::*;
 //! // A sphere of 10 µm: force against depth, in newtons and metres (a paraboloid with E* = 2 MPa and w = 50 mJ/m²).
 //! let depth = [2e-6, 1.5e-6, 1e-6, 5e-7, 0.0, -2e-7];
@@ -62,6 +62,7 @@ mod smoothing;
 mod start;
 mod validity;
 mod warnings;
+mod words;
 
 pub use answer::{
     Attempt, Certified, CertifiedEstimate, Estimate, Event, Fit, FitStatus, FittedRow, Interval, Invariant, RunsTest,

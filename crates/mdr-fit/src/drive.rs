@@ -10,8 +10,9 @@ use super::objective::{Noise, Objective};
 use super::observation::Loss;
 use super::problem::{Kind, Problem};
 use super::start::Source;
-use crate::error::Result;
-use crate::scene::{Location, Profile};
+use mdr::Result;
+use mdr::reading::Location;
+use mdr::scene::Profile;
 
 /// The length of a column of the Jacobian below which a change of the number by its own size is less than a standard deviation of the noise.
 const VANISHING: f64 = 1.0;
@@ -99,7 +100,7 @@ fn check(problem: &Problem) -> Result<()> {
     let of_profile =
         |parameter: &super::problem::Parameter| parameter.free && matches!(parameter.kind, Kind::Profile(_));
     if let Profile::Formula(formula) = &problem.profile
-        && !formula.expression.is_smooth()
+        && !formula.is_smooth()
         && problem.parameters.iter().any(of_profile)
     {
         return refuse(
@@ -267,7 +268,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
             Err(why) => fit.warnings.push(why),
         },
         #[cfg(not(feature = "mp"))]
-        Some(_) => return Err(crate::Error::NeedsMp { what: "a fit in certified digits" }),
+        Some(_) => return Err(mdr::Error::NeedsMp { what: "a fit in certified digits" }),
     }
     Ok(fit)
 }

@@ -9,8 +9,7 @@ use mdr_core::number::{Dual, Literal, Real};
 
 use super::observation::Observation;
 use super::problem::{Kind, Problem};
-use crate::scene::Profile;
-use crate::solve::model::transform;
+use mdr::scene::Profile;
 
 /// The numbers of a problem in one arithmetic.
 #[derive(Clone, Debug)]
@@ -82,12 +81,12 @@ impl<R: Struve + Kappa> Tip<R> {
                 Some((_, number)) => Dual::constant(number.clone()),
                 None => Dual::from_literal(ctx, literal),
             };
-            transform::<Dual<R>>(profile, ctx, &mut number, None).map(Arc::from)
+            profile.transform::<Dual<R>>(ctx, &mut number).map(Arc::from)
         };
         let seeded = free.iter().map(|index| Ok((*index, dual(Some(*index))?))).collect::<Result<_>>()?;
         let mut places = numbers.iter();
         let mut number = |literal: &Literal| places.next().cloned().unwrap_or_else(|| R::from_literal(ctx, literal));
-        let transform = transform::<R>(profile, ctx, &mut number, None)?;
+        let transform = profile.transform::<R>(ctx, &mut number)?;
         Ok(Tip { transform: Arc::from(transform), curvature: dual(None)?, seeded })
     }
 

@@ -1,11 +1,10 @@
 //! Fits of curves that are made here, by formulas of this file.
-#![cfg(feature = "fit")]
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
 mod normal;
 
-use mdr::fit::{Fit, FitStatus, Loss, Observation, Problem};
 use mdr::prelude::*;
+use mdr_fit::{Fit, FitStatus, Loss, Observation, Problem};
 use std::f64::consts::PI;
 
 use normal::Normal;

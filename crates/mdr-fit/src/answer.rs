@@ -4,7 +4,7 @@ use mdr_core::named;
 use mdr_core::number::Decimal;
 
 use super::{Leg, Observation};
-use crate::validity::Validity;
+use mdr::validity::Validity;
 
 named! {
     /// How a fit ended.

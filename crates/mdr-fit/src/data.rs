@@ -8,8 +8,8 @@ use mdr_numeric::table::{self, Line};
 
 use super::observation::Leg;
 use super::problem::DataRow;
-use crate::error::Result;
-use crate::scene::Location;
+use mdr::Result;
+use mdr::reading::Location;
 
 /// The most rows of a measured curve.
 pub(super) const MOST_ROWS: usize = 1_000_000;
@@ -197,6 +197,6 @@ fn column(header: Option<&StringRecord>, name: &str) -> std::result::Result<usiz
     };
     header.iter().position(|field| field == name).ok_or_else(|| {
         let known: Vec<&str> = header.iter().collect();
-        crate::scene::tree::unknown_name_of_input("column", name, &known)
+        mdr::reading::unknown_name_of_input("column", name, &known)
     })
 }

@@ -5,8 +5,9 @@ use mdr_core::units::SiUnit;
 
 use super::answer::Fit;
 use super::observation::{Leg, Loss, Observation};
-use crate::error::{Error, Result};
-use crate::scene::{IntoProfile, Location, Profile};
+use mdr::reading::Location;
+use mdr::scene::{IntoProfile, Profile};
+use mdr::{Error, Result};
 
 /// The numbers of a problem that can be unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -111,7 +112,7 @@ impl Problem {
         let of_baseline = if observation == Observation::DeflectionOfPosition { SiUnit::Metre } else { SiUnit::Newton };
         parameters.push(parameter(Kind::Baseline, "baseline", of_baseline, Some(0.0)));
         for (index, ((number, location), unit)) in profile.numbers().into_iter().zip(profile.units()).enumerate() {
-            let name = location.key.trim_start_matches("profile.").to_owned();
+            let name = location.key().trim_start_matches("profile.").to_owned();
             parameters.push(parameter(Kind::Profile(index), &name, unit, Some(number.nearest_f64())));
         }
         number_repeated_names(&mut parameters);
@@ -312,7 +313,7 @@ impl Problem {
             Some(index) => Ok(&mut self.parameters[index]),
             None => {
                 let known: Vec<&str> = self.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-                Err(refuse(key, crate::scene::tree::unknown_name_of_input("name", name, &known)))
+                Err(refuse(key, mdr::reading::unknown_name_of_input("name", name, &known)))
             }
         }
     }

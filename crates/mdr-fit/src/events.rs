@@ -8,7 +8,7 @@ use super::errors::Errors;
 use super::minimise::Minimum;
 use super::observation::{Leg, Observation};
 use super::problem::Kind;
-use crate::error::Result;
+use mdr::Result;
 
 /// Adds the events that the record can have.
 pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Result<()> {

@@ -1,11 +1,10 @@
 //! Fits find the least sum of squares: of no curve are the estimates accepted at a minimum above that of the numbers it was made from.
-#![cfg(feature = "fit")]
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
 mod normal;
 
-use mdr::fit::{Fit, FitStatus, Leg, Observation, Problem};
 use mdr::prelude::*;
+use mdr_fit::{Fit, FitStatus, Leg, Observation, Problem};
 use std::f64::consts::PI;
 
 use normal::Normal;
