@@ -15,11 +15,13 @@ use rug::Float;
 use rug::float::Round;
 
 /// The most pieces of an integral at one radius,
-const PIECES: usize = 3000;
+const PIECES: usize = 400;
 /// and over an interval of radii, where too few only lead to narrower intervals.
 const PIECES_OF_INTERVAL: usize = 120;
-/// Intervals of radii that are wider than this ratio are not integrated: g' is bounded by the range of (r f')'.
-const WIDEST: u32 = 4;
+/// Intervals of radii that are wider than this ratio are not integrated: g' is bounded by ranges of (r f')'
+const WIDEST: f64 = 1.03125;
+/// on so many parts of the quarter circle.
+const RANGES: i64 = 12;
 /// Bits by which the aim of a rule is below the size of the integral,
 const SPARE: i32 = 6;
 /// and below the width of an enclosure over an interval of radii.
@@ -113,7 +115,7 @@ impl Enclosed {
     fn between_breaks(&self, x: &Interval, order: Order, breaks: &[Interval]) -> Result<Vec<Interval>> {
         let span = Span::of(x);
         let unknown = || vec![Interval::entire(x.ctx()); order.count()];
-        if span.ratio > WIDEST {
+        if span.is_for_ranges() {
             return Ok(unknown());
         }
         match self.pieces(x, order, breaks, &span) {
@@ -222,20 +224,38 @@ impl Enclosed {
         }
     }
 
-    /// Bounds of g' on an interval that may be wide: (π/2) (r f')' over all smaller radii, if none of them has a kink.
-    fn slope_by_range(&self, x: &Interval) -> Option<Interval> {
-        if self.formula.breaks().first().is_some_and(|b| b.lower() <= x.upper()) {
-            return None;
+    /// Bounds of g' on an interval of radii that may be wide: with x cosθ = √(x² − b²) at a kink b, where r f' jumps,
+    /// g' = ∫ (r f')' dθ + Σ \[r f'\]/√(x² − b²).
+    fn slope_by_ranges(&self, x: &Interval) -> Option<Interval> {
+        let x = x.rounded(Precision::new(BOUND_BITS));
+        let quarter = x.pi().over(2);
+        let mut sum = x.lit(0);
+        let mut from = x.lit(0);
+        for end in 1..=RANGES {
+            let to = Special::sin(&quarter.clone().times(end).over(RANGES)).lesser(&x.lit(1));
+            let radii = (from.clone() * &x).hull(&(to.clone() * &x));
+            sum += &self.stretch(&radii)?;
+            from = to;
         }
-        let part = self.formula.part(0)?;
-        let bound = |from: &Float, to: &Float| part.stretch(&Interval::new(from.clone(), to.clone()));
-        let half = Float::with_val(x.lower().prec(), x.upper()) / 2u32;
-        let least = Float::with_val(x.lower().prec(), x.lower()) / 2u32;
-        let [inner, outer] = [bound(&Float::new(half.prec()), &half)?, bound(&least, x.upper())?];
-        let pi = x.pi();
-        // sin(π/6) = 1/2
-        let value = pi.clone().over(6) * inner + pi.over(3) * outer;
-        value.is_finite().then_some(value)
+        let mut slope = sum * quarter.over(RANGES);
+        for (index, b) in self.formula.breaks().iter().enumerate().filter(|(_, b)| b.lower() < x.upper()) {
+            let jump = &self.formula.jump(index)?[1];
+            if *jump != jump.lit(0) {
+                let square = (x.clone() - b) * (x.clone() + b);
+                slope += &(jump.clone() / &Real::sqrt(&square));
+            }
+        }
+        slope.is_finite().then_some(slope)
+    }
+
+    /// (r f')' over a cell of radii, of all parts that it meets.
+    fn stretch(&self, r: &Interval) -> Option<Interval> {
+        let breaks = self.formula.breaks();
+        let first = breaks.partition_point(|b| b.upper() < r.lower());
+        let last = breaks.partition_point(|b| b.lower() <= r.upper());
+        let mut parts = (first..=last).map(|index| self.formula.part(index)?.stretch(r));
+        let one = parts.next()??;
+        parts.try_fold(one, |hull, other| Some(hull.hull(&other?)))
     }
 }
 
@@ -267,6 +287,10 @@ struct Span {
 }
 
 impl Span {
+    fn is_for_ranges(&self) -> bool {
+        self.ratio > WIDEST
+    }
+
     fn of(x: &Interval) -> Self {
         let bits = x.lower().prec();
         let ratio = Float::with_val_round(BOUND_BITS, x.upper() / x.lower(), Round::Up).0;
@@ -349,11 +373,9 @@ impl Transform<Interval> for Enclosed {
     }
 
     fn slope(&self, x: &Interval) -> Result<Interval> {
-        let slope = self.integrals(x, Order::Slope)?.swap_remove(0) / x;
-        if slope.is_finite() {
-            return Ok(slope);
-        }
-        Ok(self.slope_by_range(x).unwrap_or(slope))
+        self.check(x)?;
+        let ranged = if Span::of(x).is_for_ranges() { self.slope_by_ranges(x) } else { None };
+        ranged.map_or_else(|| Ok(self.integrals(x, Order::Slope)?.swap_remove(0) / x), Ok)
     }
 
     fn integral(&self, x: &Interval) -> Result<Interval> {
@@ -434,7 +456,7 @@ impl Transform<Dual<Interval>> for EnclosedWithSlopes {
         let mut values = self.0.integrals(&x.value, Order::Curvature)?;
         let curvature = values.swap_remove(1) / x.value.square();
         let slope = values.swap_remove(0) / &x.value;
-        let slope = if slope.is_finite() { slope } else { self.0.slope_by_range(&x.value).unwrap_or(slope) };
+        let slope = if slope.is_finite() { slope } else { self.0.slope_by_ranges(&x.value).unwrap_or(slope) };
         Ok(x.chain(slope, curvature))
     }
 

@@ -194,6 +194,16 @@ impl Profile {
         }
     }
 
+    /// Whether g can be enclosed: a closed form, rigorous integrals of a formula, or a sum of these.
+    #[cfg(feature = "mp")]
+    pub(crate) fn is_enclosed(&self) -> bool {
+        match self {
+            Profile::Shape(_) | Profile::Formula(_) => true,
+            Profile::Sum(terms) => terms.iter().all(Profile::is_enclosed),
+            Profile::Table(_) => false,
+        }
+    }
+
     /// Whether it is a formula, or a sum with one.
     pub fn has_formula(&self) -> bool {
         match self {

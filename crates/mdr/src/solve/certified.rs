@@ -6,12 +6,12 @@ use std::sync::Arc;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Literal};
+use mdr_core::number::{Interval, Literal, Precision};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::folds::Folds;
 use rug::Float;
 
-use super::digits::{agree, decide, start};
+use super::digits::{MOST_OF_INTEGRALS, agree, decide, decide_within, start};
 use super::model::{Model, SceneReal};
 use super::proof::{self, FoldProof};
 use super::refine::refined;
@@ -111,12 +111,31 @@ impl<'s> Certified<'s> {
         Ok((model, folds))
     }
 
-    /// g at radii: proved where it is a closed form.
+    /// The digits of enclosures, decided at growing precision; `None` if the profile has no enclosures, or if they leave it open
+    /// for a formula.
+    ///
+    /// # Errors
+    /// Errors of `f`.
+    pub(super) fn proved<T: Numbers<Enclosure>>(
+        &self,
+        f: impl FnMut(Precision) -> Result<T>,
+    ) -> Result<Option<T::With<Number>>> {
+        let profile = &self.scene.profile;
+        if profile.is_closed() {
+            return decide(self.digits, f).map(Some);
+        }
+        if !profile.is_enclosed() {
+            return Ok(None);
+        }
+        proof::decided(decide_within(MOST_OF_INTEGRALS, start(self.digits), self.digits, f))
+    }
+
+    /// g at radii: proved where it has enclosures.
     fn transform(&self, radii: &[Literal]) -> Result<List<crate::answer::TransformSample>> {
-        if self.scene.profile.is_closed() {
-            let items = decide(self.digits, |precision| {
-                Ok(outputs::transform(&self.model::<Interval>(precision)?, radii)?.convert(Enclosure::from))
-            })?;
+        let proved = self.proved(|precision| {
+            Ok(outputs::transform(&self.model::<Interval>(precision)?, radii)?.convert(Enclosure::from))
+        })?;
+        if let Some(items) = proved {
             return Ok(List::new(Promise::Certified, items));
         }
         let items = agree(self.digits, |precision| {
@@ -125,13 +144,13 @@ impl<'s> Certified<'s> {
         Ok(List::new(Promise::Estimated, items))
     }
 
-    /// The equilibria with given radii: proved where g is a closed form.
+    /// The equilibria with given radii: proved where g has enclosures.
     fn curve(&self, radii: &[Literal]) -> Result<List<crate::answer::CurvePoint>> {
-        if self.scene.profile.is_closed() {
-            let items = decide(self.digits, |precision| {
-                let model = self.model::<Interval>(precision)?;
-                Ok(outputs::curve(&model, radii, &*self.admissibility()?)?.convert(Enclosure::from))
-            })?;
+        let proved = self.proved(|precision| {
+            let model = self.model::<Interval>(precision)?;
+            Ok(outputs::curve(&model, radii, &*self.admissibility()?)?.convert(Enclosure::from))
+        })?;
+        if let Some(items) = proved {
             return Ok(List::new(Promise::Certified, items));
         }
         let items = agree(self.digits, |precision| {
@@ -227,13 +246,16 @@ impl<'s> Certified<'s> {
         Ok(LoadingPath::new(Promise::Estimated, estimated, searched))
     }
 
-    /// The folds on which proofs rest: of closed forms, and of tables that are short and leave nothing undecided. A longer or
-    /// a rougher table is better searched.
+    /// The folds on which proofs rest: of closed forms, and of formulas and of tables that are short, where they leave nothing
+    /// undecided. A longer or a rougher table, and a formula with more waves than can be looked at, is better searched.
     fn fold_proof(&self) -> Result<Option<&FoldProof>> {
         let profile = &self.scene.profile;
         let folds = once(&self.folds, || {
             Ok(match profile.rows() {
                 None if profile.is_closed() => Some(FoldProof::new(self)?),
+                None if profile.is_enclosed() => {
+                    proof::decided(FoldProof::new(self))?.filter(|folds| folds.complete.proved)
+                }
                 Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?).filter(|folds| folds.complete.proved),
                 _ => None,
             })

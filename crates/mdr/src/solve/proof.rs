@@ -62,7 +62,7 @@ impl FoldProof {
             Some(range) => range.clone(),
             None => {
                 let search = certified.search()?;
-                sample::range(&search.model, search.folds()?, &search.visited())?
+                sample::range(&search.model, search.folds()?, &search.visited(), certified.scene.profile.has_formula())?
             }
         };
         let mut enclosed = Enclosed::new(certified, Precision::new(ISOLATION))?;
@@ -302,7 +302,7 @@ fn exactly(literal: &Literal) -> Value<Enclosure> {
 }
 
 /// `None` if the question stays open.
-fn decided<T>(result: Result<T>) -> Result<Option<T>> {
+pub(super) fn decided<T>(result: Result<T>) -> Result<Option<T>> {
     match result {
         Err(Error::Undecided { .. } | Error::Unproved { .. }) => Ok(None),
         result => result.map(Some),
