@@ -53,6 +53,8 @@ pub struct Admissibility {
     terrain: Option<Terrain>,
     /// For a formula, whose narrow dips the search may miss.
     touch: Option<FirstTouch>,
+    /// Whether the extrema of g are proved to be all.
+    isolated: bool,
 }
 
 /// Where the separated surfaces of a formula first touch, as far as enclosures of f decide it.
@@ -91,6 +93,8 @@ pub enum Verdict {
 pub enum Basis {
     /// The form of the profile: its g is nondecreasing.
     Bound,
+    /// The extrema of g were isolated by enclosures, each one proved and none missed.
+    Isolated,
     /// The extrema of g were searched in double precision, and g was resolved everywhere.
     Searched,
     /// The search did not resolve g everywhere: an interpenetration that is found is certain, but others may exist.
@@ -110,24 +114,34 @@ impl Admissibility {
         if transform.rises() {
             return Self::of_rising();
         }
-        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None }
+        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None, isolated: false }
     }
 
     /// For a transformed formula of which nothing else is proved. The extrema are searched as by [`Admissibility::new`], but
     /// interpenetrations that the search does not find may exist.
     pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
-        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: Some(touch) }
+        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: Some(touch), isolated: false }
     }
 
     /// For a profile with nondecreasing g: every state is admissible.
     pub fn of_rising() -> Self {
-        Admissibility { terrain: None, touch: None }
+        Admissibility { terrain: None, touch: None, isolated: false }
     }
 
     /// A shared [`Admissibility`] for profiles with nondecreasing g: every state is admissible.
     pub fn rising() -> &'static Admissibility {
-        static RISING: Admissibility = Admissibility { terrain: None, touch: None };
+        static RISING: Admissibility = Admissibility { terrain: None, touch: None, isolated: false };
         &RISING
+    }
+
+    /// For a transform over enclosures whose extrema between two radii are proved to be all, g rising beyond; what is known of
+    /// the first touch stays. The gap between them is computed in doubles, from g rounded.
+    #[cfg(feature = "mp")]
+    #[must_use]
+    pub fn with_extrema(&self, curve: &Contact<mdr_core::number::Interval>, extrema: &[f64], range: [f64; 2]) -> Self {
+        let (transform, ctx) = (Arc::clone(curve.shared_transform()), curve.modulus().ctx());
+        let terrain = Terrain::of_extrema(Arc::new(Rounded { transform, ctx }), extrema, range);
+        Admissibility { terrain: Some(terrain), touch: self.touch.clone(), isolated: true }
     }
 
     /// For a transformed profile in any arithmetic, evaluated there and rounded.
@@ -141,6 +155,7 @@ impl Admissibility {
     pub fn basis(&self) -> Basis {
         match &self.terrain {
             None => Basis::Bound,
+            Some(_) if self.isolated => Basis::Isolated,
             Some(terrain) if self.touch.is_some() && terrain.width.is_finite() => {
                 Basis::Unproved { width: terrain.width }
             }
@@ -157,7 +172,7 @@ impl Admissibility {
         }
         let apart = if !terrain.knows(a) {
             Verdict::Undecided("g is not resolved everywhere outside the contact")
-        } else if self.touch.is_some() {
+        } else if self.touch.is_some() && !self.isolated {
             Verdict::Undecided("the formula may dip between the radii at which g was looked at")
         } else {
             Verdict::Admissible

@@ -7,7 +7,7 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision};
-use mdr_numeric::admissible::Admissibility;
+use mdr_numeric::admissible::{Admissibility, Basis};
 use mdr_numeric::folds::Folds;
 use rug::Float;
 
@@ -47,14 +47,20 @@ impl<'s> Certified<'s> {
         Certified { scene, digits, counts, search, folds, admissibility }
     }
 
-    /// Which states are admissible: by the form of the profile, else in f64.
+    /// Which states are admissible: by the form of the profile, by the proved extrema of g of a formula, else in f64.
     ///
     /// # Errors
     /// A parameter of the profile or the material that is out of its domain; see [`Certified::search`].
     pub(super) fn admissibility(&self) -> Result<Arc<Admissibility>> {
         let found = once(&self.admissibility, || {
             let rises = self.model::<Float>(start(self.digits))?.transform().rises();
-            Ok(if rises { Arc::new(Admissibility::of_rising()) } else { self.search()?.admissibility() })
+            if rises {
+                return Ok(Arc::new(Admissibility::of_rising()));
+            }
+            let searched = self.search()?.admissibility();
+            let profile = &self.scene.profile;
+            let open = profile.has_formula() && profile.is_enclosed() && searched.basis() != Basis::Bound;
+            Ok(if open { proof::isolated(self, &searched)?.map_or(searched, Arc::new) } else { searched })
         });
         found.cloned()
     }
