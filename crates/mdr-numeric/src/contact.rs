@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use mdr_core::contact::{Control, Error, Material, Quantity, Result, Transform};
+use mdr_core::contact::{Control, Edge, Error, Material, Quantity, Result, Transform};
 use mdr_core::number::Real;
 
 use crate::medium::{Adhesion, Medium};
@@ -71,6 +71,24 @@ impl<R: Real> Contact<R> {
         Contact { transform, ..self.clone() }
     }
 
+    /// The contact with one of its two works of adhesion: the folds, branches and states are those of this edge.
+    ///
+    /// ```
+    /// use mdr_core::contact::{Control, Edge, Shape};
+    /// use mdr_numeric::medium::{Adhesion, Medium};
+    /// use mdr_numeric::{contact::Contact, transform::Quadrature};
+    /// let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
+    /// let contact = Contact::new(ball, Medium::half_space(1.0)?, Adhesion::hysteretic(0.0, 0.04)?, Control::Force);
+    /// // An advancing edge without adhesion is that of Hertz: d = a²/R.
+    /// assert!((contact.at(Edge::Advancing).indentation(&0.5)? - 0.25).abs() < 1e-15);
+    /// assert!(contact.at(Edge::Receding).indentation(&0.5)? < 0.0);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    #[must_use]
+    pub fn at(&self, edge: Edge) -> Self {
+        Contact { adhesion: self.adhesion.at(edge), ..self.clone() }
+    }
+
     /// The contact of the same profile, medium and adhesion under another control.
     #[must_use]
     pub fn with_control(&self, control: Control<R>) -> Self {
@@ -114,7 +132,7 @@ impl<R: Real> Contact<R> {
 
     /// The length of the material, in m: w/E* on a half-space.
     pub fn material_length(&self) -> R {
-        self.medium.length(self.adhesion.work())
+        self.medium.length(self.adhesion.scale())
     }
 
     /// Δl(a), the elongation at which the springs at the edge detach (1.4), in m: see [`Medium::elongation`].
@@ -127,11 +145,19 @@ impl<R: Real> Contact<R> {
 
     /// Δl(a) for a > 0, unchecked.
     pub(crate) fn elongation(&self, a: &R) -> R {
-        self.medium.elongation(self.adhesion.work(), a)
+        if self.adhesion.vanishes() { a.lit(0) } else { self.unit_elongation(a) }
+    }
+
+    /// Δl(a), or that of the other edge where it vanishes: a unit of displacements.
+    pub(crate) fn unit_elongation(&self, a: &R) -> R {
+        self.medium.elongation(self.adhesion.scale(), a)
     }
 
     /// Δl'(a) for a > 0, unchecked.
     pub(crate) fn elongation_slope(&self, a: &R) -> R {
+        if self.adhesion.vanishes() {
+            return a.lit(0);
+        }
         self.medium.elongation_slope(self.adhesion.work(), a)
     }
 
@@ -268,9 +294,25 @@ impl<R: Real> Contact<R> {
         Ok(self.tangency_of(self.transform.slope(a)?, a))
     }
 
-    /// The tangency ratio for a given g'.
+    /// The tangency ratio for a given g'; at an edge without adhesion, that of the other edge.
     pub(crate) fn tangency_of(&self, slope: R, a: &R) -> R {
-        self.medium.tangency(self.adhesion.work(), slope, a)
+        self.medium.tangency(self.adhesion.scale(), slope, a)
+    }
+
+    /// A function that is 1 at a fold, and larger where equilibria are stable: the tangency ratio over its critical value. At an
+    /// edge without adhesion the folds are where g' = 0, and it is 1 + sin φ with tan φ = ag'/g, which does not tend to 1 at the
+    /// tip.
+    pub(crate) fn fold_ratio(&self, a: &R) -> Result<R> {
+        if !self.adhesion.vanishes() {
+            return Ok(self.tangency(a)? / self.critical_ratio_at(a));
+        }
+        let (slope, mean) = (self.transform.slope(a)?, self.transform.g(a)? / a);
+        if slope != a.lit(0) {
+            let sine = ((mean / &slope).square() + a.lit(1)).sqrt().inv();
+            return Ok(a.lit(1) + if slope > a.lit(0) { sine } else { -sine });
+        }
+        // Below the range of the arithmetic, a profile that rises is flat.
+        Ok(a.lit(if mean == slope { 2 } else { 1 }))
     }
 
     /// The value of the [tangency ratio](Contact::tangency) at which the controlled quantity is stationary.
@@ -286,8 +328,11 @@ impl<R: Real> Contact<R> {
         Ok(self.critical_ratio_at(&Error::require_positive(Quantity::ContactRadius, a.clone())?))
     }
 
-    /// The critical tangency ratio for a > 0, unchecked.
+    /// The critical tangency ratio for a > 0, unchecked. At an edge without adhesion folds are where g' = 0.
     pub(crate) fn critical_ratio_at(&self, a: &R) -> R {
+        if self.adhesion.vanishes() {
+            return a.lit(0);
+        }
         self.medium.critical_ratio(a, &self.control)
     }
 

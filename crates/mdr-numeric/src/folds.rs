@@ -120,7 +120,7 @@ pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
         return Err(Error::domain(Quantity::WorkOfAdhesion, &length, requirement));
     }
     let range = Range::whole(curve.transform(), length);
-    let ratio = |a: &R| Ok(curve.tangency(a)? / curve.critical_ratio_at(a));
+    let ratio = |a: &R| curve.fold_ratio(a);
     let mut survey = survey::survey(&range, ratio)?;
     let wall = curve.vertical_edge();
     if let Some(wall) = &wall {

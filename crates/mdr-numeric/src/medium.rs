@@ -17,7 +17,7 @@
 //!
 //! These functions stand here and nowhere else in this crate.
 
-use mdr_core::contact::{Control, Error, Material, Quantity, Result};
+use mdr_core::contact::{Control, Edge, Error, Material, Quantity, Result};
 use mdr_core::number::Real;
 
 /// An elastic medium, with its properties in one arithmetic.
@@ -154,10 +154,28 @@ impl<R: Real> Medium<R> {
     }
 }
 
-/// The work of adhesion w at the edge of a contact, in J/m².
+/// The work of adhesion at the edge of a contact, in J/m²: w₁ gained by an edge that advances, w₂ needed by one that recedes.
+///
+/// Surfaces that have touched often hold more firmly than they attract, w₁ < w₂. Between the two the edge is pinned: see
+/// [`Path::follow_edges`](crate::path::Path::follow_edges). All other functions of a contact take one work of adhesion, that of
+/// its [edge](Adhesion::at); without another word, that of the receding one.
+///
+/// ```
+/// use mdr_core::contact::Edge;
+/// use mdr_numeric::medium::Adhesion;
+/// let sticky = Adhesion::hysteretic(0.01, 0.04)?;
+/// assert_eq!((*sticky.work(), *sticky.at(Edge::Advancing).work()), (0.04, 0.01));
+/// assert!(Adhesion::hysteretic(0.04, 0.01).is_err());
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Adhesion<R> {
+    /// w, of the edge that is considered.
     work: R,
+    /// w₂.
+    receding: R,
+    /// w₁.
+    advancing: R,
 }
 
 impl<R: Real> Adhesion<R> {
@@ -166,12 +184,61 @@ impl<R: Real> Adhesion<R> {
     /// # Errors
     /// [`Error::Domain`] unless w is positive and finite.
     pub fn new(work: R) -> Result<Self> {
-        Ok(Adhesion { work: Error::require_positive(Quantity::WorkOfAdhesion, work)? })
+        Ok(Self::reversible(Error::require_positive(Quantity::WorkOfAdhesion, work)?))
     }
 
-    /// w, in J/m².
+    /// An edge that gains w₁ when it advances and needs w₂ to recede, in J/m². At w₁ = 0 contact without adhesion is pressed on,
+    /// as Hertz has it.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless w₂ is positive and finite, and 0 ≤ w₁ ≤ w₂.
+    pub fn hysteretic(advancing: R, receding: R) -> Result<Self> {
+        let receding = Error::require_positive(Quantity::WorkOfAdhesion, receding)?;
+        if advancing >= receding.lit(0) && advancing <= receding {
+            Ok(Adhesion { work: receding.clone(), receding, advancing })
+        } else {
+            let requirement = "of an advancing edge at least 0 and at most that of a receding edge: an edge that recedes \
+                               at less work than it gained would heat the surfaces without end";
+            Err(Error::domain(Quantity::WorkOfAdhesion, &advancing, requirement))
+        }
+    }
+
+    fn reversible(work: R) -> Self {
+        Adhesion { work: work.clone(), receding: work.clone(), advancing: work }
+    }
+
+    /// w of the edge that is considered, in J/m².
     pub fn work(&self) -> &R {
         &self.work
+    }
+
+    /// The adhesion, with one edge considered.
+    #[must_use]
+    pub fn at(&self, edge: Edge) -> Self {
+        Adhesion { work: self.of(edge).clone(), ..self.clone() }
+    }
+
+    /// w₁ or w₂, in J/m².
+    pub fn of(&self, edge: Edge) -> &R {
+        match edge {
+            Edge::Advancing => &self.advancing,
+            Edge::Receding => &self.receding,
+        }
+    }
+
+    /// Whether w₁ < w₂, so that an edge can be pinned.
+    pub fn is_hysteretic(&self) -> bool {
+        self.advancing != self.receding
+    }
+
+    /// Whether the edge that is considered has no adhesion, w₁ = 0.
+    pub(crate) fn vanishes(&self) -> bool {
+        self.work == self.work.lit(0)
+    }
+
+    /// A work of adhesion that is not zero, as a scale: w, or w₂ where that is 0.
+    pub(crate) fn scale(&self) -> &R {
+        if self.vanishes() { &self.receding } else { &self.work }
     }
 }
 
@@ -184,6 +251,6 @@ impl<R: Real> From<&Material<R>> for Medium<R> {
 
 impl<R: Real> From<&Material<R>> for Adhesion<R> {
     fn from(material: &Material<R>) -> Self {
-        Adhesion { work: material.work_of_adhesion().clone() }
+        Adhesion::reversible(material.work_of_adhesion().clone())
     }
 }

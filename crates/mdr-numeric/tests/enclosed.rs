@@ -2,8 +2,12 @@
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use mdr_core::contact::{Error, Expression, Transform};
+use std::sync::Arc;
+
+use mdr_core::contact::{Control, Error, Expression, FoldKind, Material, Transform};
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
+use mdr_numeric::contact::Contact;
+use mdr_numeric::proof::EnclosedCurve;
 use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes, Quadrature};
 use proptest::prelude::*;
 use rug::Float;
@@ -182,4 +186,26 @@ fn radii_out_of_the_domain_are_refused() {
         assert!(matches!(error, Error::Domain { .. }), "{x}: {error}");
     }
     assert!(sphere.g(&number("0.99999999", 64)).unwrap().accuracy_bits() > 30);
+}
+/// The extrema of g of (r²/2 − max(0, r − c)/10), c = 1/10 no binary fraction: a maximum at the kink, and a minimum beyond.
+#[test]
+fn folds_of_a_kinked_formula_are_proved() {
+    let transform = enclosed("r^2/2 - 0.1*max(0, r - 0.1)", 64);
+    let (plain, moving) = (Arc::new(transform.clone()), Arc::new(EnclosedWithSlopes::new(transform)));
+    let [one, work] = ["1", "1e-12"].map(|text| number(text, 64));
+    let material = Material::new(Dual::constant(one.clone()), Dual::constant(work.clone())).unwrap();
+    let moving = Contact::half_space(&moving, &material, &Control::Indentation);
+    let plain = Contact::half_space(&plain, &Material::new(one, work).unwrap(), &Control::Indentation);
+    let found =
+        EnclosedCurve::new(plain, moving).folds(number("1e-6", 64).lower(), number("1", 64).lower(), 2000).unwrap();
+    assert!(found.is_complete(), "{:?}", found.undecided);
+    let folds: Vec<(FoldKind, f64)> =
+        found.folds.iter().map(|fold| (fold.kind, fold.contact_radius.approx())).collect();
+    let [(FoldKind::Minimum, _), (FoldKind::Maximum, kink), (FoldKind::Minimum, beyond)] = folds[..] else {
+        panic!("{folds:?}")
+    };
+    // g' = 2x − arccos(c/x)/10 − (c/x)/(10 √(1 − c²/x²)) vanishes there, but for Δl'.
+    let share: f64 = 0.1 / beyond;
+    let slope = 2.0 * beyond - 0.1 * share.acos() - 0.1 * share / (1.0 - share * share).sqrt();
+    assert!((kink - 0.1).abs() < 1e-16 && slope.abs() < 1e-5, "{folds:?} {slope}");
 }

@@ -10,6 +10,7 @@ mod fields;
 mod interruption;
 mod path;
 mod path_energy;
+mod pinned;
 mod printed;
 #[cfg(feature = "mp")]
 mod range;

@@ -21,5 +21,5 @@ pub use kink::{Kink, Slopes};
 pub use material::{Body, Elasticity, Material};
 pub use profile::Profile;
 pub use shape::{Flank, Shape};
-pub use state::{Equilibrium, Fold, FoldKind, Outcome, Ranged, Regime, Stability, Status};
+pub use state::{Edge, Equilibrium, Fold, FoldKind, Outcome, Ranged, Regime, Stability, Status};
 pub use transform::Transform;

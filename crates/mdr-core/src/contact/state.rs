@@ -72,6 +72,16 @@ named! {
     }
 }
 
+named! {
+    /// The two ways in which the edge of a contact moves, each with a work of adhesion of its own.
+    pub enum Edge {
+        /// The contact grows.
+        Advancing = "advancing",
+        /// The contact shrinks.
+        Receding = "receding",
+    }
+}
+
 /// The state of the contact after an instability at a fold.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome<R> {

@@ -177,6 +177,9 @@ impl Admissibility {
         } else {
             Verdict::Admissible
         };
+        if let Some((radius, gap)) = self.at_lowest_ring(terrain, a, d) {
+            return Verdict::Interpenetrating { radius, gap };
+        }
         match terrain.narrowest(a, d, true) {
             Err(_) => Verdict::Undecided("g cannot be computed everywhere outside the contact"),
             Ok(Some((radius, _))) => match terrain.sign(a, d, radius) {
@@ -186,6 +189,24 @@ impl Admissibility {
             },
             Ok(None) => apart,
         }
+    }
+
+    /// The ring on which a formula is lowest and the gap there, if the surfaces clearly interpenetrate on it. The search may have
+    /// missed it, but h(r) = f(r) − d − (2/π) ∫₀ᵃ (g − d)/√(r² − x²) dx depends on f there and on g inside the contact only.
+    #[cfg(feature = "mp")]
+    fn at_lowest_ring(&self, terrain: &Terrain, a: f64, d: f64) -> Option<(f64, f64)> {
+        let Some(FirstTouch::Ring(ring)) = &self.touch else { return None };
+        let [radius, height] = ring.at::<f64>(());
+        if a >= radius {
+            return None;
+        }
+        let gap = terrain.gap_over(height, radius, a, d).ok()?;
+        gap.filter(|gap| *gap < 0.0).map(|gap| (radius, gap))
+    }
+
+    #[cfg(not(feature = "mp"))]
+    fn at_lowest_ring(&self, _: &Terrain, _: f64, _: f64) -> Option<(f64, f64)> {
+        None
     }
 
     /// An indentation, in m, at which the separated surfaces of a formula do not touch yet, if the indentation at which they

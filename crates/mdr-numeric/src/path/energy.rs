@@ -55,11 +55,13 @@ pub struct Balance<R> {
     /// The work of the control. On a closed path, which ends in its initial state, it equals the dissipation: the
     /// hysteresis of the cycle.
     pub work: R,
-    /// The energy dissipated in all events.
+    /// The energy dissipated in all events; with two works of adhesion, in all jumps.
     pub dissipated: R,
+    /// The energy lost by an edge that recedes at more work than it gained, (w₂ − w₁) times the area; 0 with one work of adhesion.
+    pub hysteresis: R,
     /// The increase of the energy stored in the contact and in the spring of a machine.
     pub stored: R,
-    /// work − lost − stored.
+    /// work − dissipated − hysteresis − stored.
     pub residual: R,
     /// A bound of the residual: the estimated errors of the quadratures, and the rounding of their integrands. It
     /// assumes that g, g' and the mean of g are accurate to 64 unit roundoffs.
@@ -141,20 +143,20 @@ impl<R: Real> Dissipation<R> {
     }
 }
 
-struct EnergyIntegrals<'a, R: Real> {
-    curve: &'a Contact<R>,
+pub(super) struct EnergyIntegrals<'a, R: Real> {
+    pub(super) curve: &'a Contact<R>,
     breaks: Breaks<R>,
 }
 
 impl<'a, R: Real> EnergyIntegrals<'a, R> {
-    fn new(branches: &'a SearchedBranches<R>) -> Self {
+    pub(super) fn new(branches: &'a SearchedBranches<R>) -> Self {
         let folds = branches.folds().iter().map(|fold| fold.contact_radius.clone());
         let curve = branches.curve();
         EnergyIntegrals { curve, breaks: Breaks::new(curve.transform(), folds) }
     }
 
     /// The work of the control between two states on one branch.
-    fn work(&self, from: &ContactState<R>, to: &ContactState<R>) -> Result<Estimate<R>> {
+    pub(super) fn work(&self, from: &ContactState<R>, to: &ContactState<R>) -> Result<Estimate<R>> {
         let (ContactState::Contact(from), ContactState::Contact(to)) = (from, to) else { return Ok(self.none()) };
         let mut work = self.along_curve(&from.contact_radius, &to.contact_radius)?;
         if let Some(wall) = self.curve.vertical_edge() {
@@ -198,7 +200,7 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
     }
 
     /// The work of the control in an event, and the dissipated energy.
-    fn event(&self, event: &Event<R>) -> Result<(R, Dissipation<R>)> {
+    pub(super) fn event(&self, event: &Event<R>) -> Result<(R, Dissipation<R>)> {
         let zero = event.value.lit(0);
         let dead_load = *self.curve.control() == Control::Force;
         match event.kind {
@@ -219,14 +221,19 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
     }
 
     /// E* ∫_{a₂}^{a₁} δ(δ + 2Δl) da with the direction of change δ = g − d − Δl at the fixed value.
-    fn dissipated(&self, before: &ContactState<R>, after: &ContactState<R>, value: &R) -> Result<Estimate<R>> {
+    pub(super) fn dissipated(
+        &self,
+        before: &ContactState<R>,
+        after: &ContactState<R>,
+        value: &R,
+    ) -> Result<Estimate<R>> {
         let radius = |state: &ContactState<R>| state.contact().map_or(value.lit(0), |rest| rest.contact_radius.clone());
         let (from, to) = (radius(after), radius(before));
         if from == to {
             return Ok(self.none());
         }
         // In units of Δl at the larger end: the product of two small lengths may underflow where the energy does not.
-        let unit = self.curve.elongation(if from > to { &from } else { &to });
+        let unit = self.curve.unit_elongation(if from > to { &from } else { &to });
         let needed = negligible(&unit);
         let dissipated = self.breaks.integrate(&from, &to, |a| {
             let change = self.curve.direction_within(a, value, &needed)?;
@@ -254,7 +261,7 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
     }
 
     /// The magnitude of the lengths that make up d and the force at radius `a`, including the rounding of a itself.
-    fn terms(&self, a: &R) -> Result<R> {
+    pub(super) fn terms(&self, a: &R) -> Result<R> {
         self.terms_with(a, &a.lit(1), &a.lit(0))
     }
 
@@ -272,7 +279,7 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
     }
 
     /// The rounding of an energy E*·`size`.
-    fn rounding(&self, size: R) -> R {
+    pub(super) fn rounding(&self, size: R) -> R {
         size.abs() * size.unit_roundoff().times(ROUNDINGS) * self.curve.modulus()
     }
 
@@ -290,11 +297,12 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
         if !residual.is_finite() {
             return Err(Error::OutOfRange { quantity: Quantity::Energy, log10: work.approx().abs().log10() });
         }
-        Ok(Some(Balance { work, dissipated, stored, residual, bound }))
+        let hysteresis = residual.lit(0);
+        Ok(Some(Balance { work, dissipated, hysteresis, stored, residual, bound }))
     }
 
     /// The effect of the rounding of d in the states of an event: the force times that rounding.
-    fn after_jump(&self, event: &Event<R>) -> Result<R> {
+    pub(super) fn after_jump(&self, event: &Event<R>) -> Result<R> {
         let mut total = event.value.lit(0);
         for state in [&event.before, &event.after] {
             if let Some(rest) = state.contact().filter(|rest| rest.contact_radius > total.lit(0)) {
@@ -317,7 +325,7 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
     }
 
     /// Π, and F²/2k of a machine; `None` for complete contact.
-    fn stored(&self, state: &ContactState<R>) -> Result<Option<Estimate<R>>> {
+    pub(super) fn stored(&self, state: &ContactState<R>) -> Result<Option<Estimate<R>>> {
         let rest = match state {
             ContactState::Contact(rest) if rest.contact_radius > rest.contact_radius.lit(0) => rest,
             ContactState::Contact(_) | ContactState::Detached => return Ok(Some(self.none())),
@@ -344,12 +352,12 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
         Ok(Some(Estimate { value, error, evaluations: 0 }))
     }
 
-    fn none(&self) -> Estimate<R> {
+    pub(super) fn none(&self) -> Estimate<R> {
         Estimate::exact(self.curve.modulus().lit(0))
     }
 }
 
 /// F²/2k.
-fn spring_energy<R: Real>(force: &R, stiffness: &R) -> R {
+pub(super) fn spring_energy<R: Real>(force: &R, stiffness: &R) -> R {
     force.clone() / stiffness * force.clone().over(2)
 }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Equilibrium, Error, FoldKind, Quantity, Result, Stability};
+use mdr_core::contact::{Edge, Equilibrium, Error, FoldKind, Quantity, Result, Stability};
 use mdr_core::number::Real;
 
 use super::begin::{begin, still_apart};
@@ -11,11 +11,13 @@ use super::{ContactState, Event, EventKind, Start};
 use crate::admissible::{Ring, Verdict};
 use crate::branch::{End, EquilibriumBranches, FirstContact, Towards, next_stable};
 
-struct Follower<'a, R, B> {
-    branches: &'a B,
-    place: Position,
-    value: R,
-    events: Vec<Event<R>>,
+pub(super) struct Follower<'a, R, B> {
+    pub(super) branches: &'a B,
+    pub(super) place: Position,
+    pub(super) value: R,
+    /// The edge of the branches, if there are two.
+    pub(super) edge: Option<Edge>,
+    pub(super) events: Vec<Event<R>>,
 }
 
 /// The events of [`Path::follow`](super::Path::follow). `order` gives the order of each way point relative to the
@@ -26,16 +28,10 @@ pub(super) fn follow<R: Real, B: EquilibriumBranches<R>>(
     way: &[R],
     order: Option<&[Ordering]>,
 ) -> Result<Vec<Event<R>>> {
-    let Some((first, rest)) = way.split_first() else {
-        return Err(Error::Domain {
-            quantity: Quantity::Parameter("the number of way points"),
-            value: "0".to_owned(),
-            requirement: "at least 1",
-        });
-    };
+    let Some((first, rest)) = way.split_first() else { return Err(no_way()) };
     way.iter().try_for_each(|value| branches.control().check_value(value))?;
     let (place, state) = begin(branches, start, first)?;
-    let mut follower = Follower { branches, place, value: first.clone(), events: Vec::new() };
+    let mut follower = Follower { branches, place, value: first.clone(), edge: None, events: Vec::new() };
     follower.stay(EventKind::Start, first, state.clone());
     follower.grow(&state)?;
     follower.approach(first)?;
@@ -53,10 +49,19 @@ pub(super) fn follow<R: Real, B: EquilibriumBranches<R>>(
     Ok(follower.events)
 }
 
+/// The error for a path without way points.
+pub(super) fn no_way() -> Error {
+    Error::Domain {
+        quantity: Quantity::Parameter("the number of way points"),
+        value: "0".to_owned(),
+        requirement: "at least 1",
+    }
+}
+
 impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     /// Changes the controlled quantity to `target`, which has the given order relative to the previous way point, and
     /// records the events in between.
-    fn go(&mut self, target: &R, order: Ordering, arrival: EventKind) -> Result<()> {
+    pub(super) fn go(&mut self, target: &R, order: Ordering, arrival: EventKind) -> Result<()> {
         match order {
             Ordering::Less => while self.pull(target)? {},
             Ordering::Greater => while self.press(target)? {},
@@ -158,7 +163,7 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
 
     /// The contact has grown along a stable branch to a state: returns whether that is admissible. If not, the path
     /// ends where admissibility was lost, after the last event or in that event itself.
-    fn grow(&mut self, state: &ContactState<R>) -> Result<bool> {
+    pub(super) fn grow(&mut self, state: &ContactState<R>) -> Result<bool> {
         let Some(rest) = state.contact().filter(|rest| rest.contact_radius > rest.contact_radius.lit(0)) else {
             return Ok(true);
         };
@@ -196,7 +201,7 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     /// Whether a contact that grows from one radius at a fixed controlled value can come to equilibrium in a state: the
     /// state must be admissible, and on the way the edge must nowhere be in compression, g − d < −Δl, where growth
     /// requires energy. Otherwise the path ends.
-    fn may_rest(&mut self, value: &R, from: &R, rest: &Equilibrium<R>) -> Result<bool> {
+    pub(super) fn may_rest(&mut self, value: &R, from: &R, rest: &Equilibrium<R>) -> Result<bool> {
         let mut obstacle = self.overlap(rest);
         let indentation = rest.indentation.approx();
         for dip in self.branches.admissibility().dips(from.approx(), rest.contact_radius.approx(), indentation) {
@@ -217,7 +222,7 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     }
 
     /// The ring on which the surfaces would interpenetrate outside a contact.
-    fn overlap(&self, rest: &Equilibrium<R>) -> Option<Ring<R>> {
+    pub(super) fn overlap(&self, rest: &Equilibrium<R>) -> Option<Ring<R>> {
         let number = |x: f64| R::from_f64(rest.contact_radius.ctx(), x);
         match self.branches.admissibility().of(rest.contact_radius.approx(), rest.indentation.approx()) {
             Verdict::Interpenetrating { radius, gap } => Some(Ring { radius: number(radius), gap: number(gap) }),
@@ -226,7 +231,7 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     }
 
     /// Records in the last event where the surfaces meet.
-    fn touch_on(&mut self, ring: Ring<R>) {
+    pub(super) fn touch_on(&mut self, ring: Ring<R>) {
         if let Some(event) = self.events.last_mut() {
             event.ring = Some(ring);
         }
@@ -234,7 +239,7 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
 
     /// The contact grows from a state without reaching an equilibrium: it covers the whole surface, or reaches the end
     /// of the profile.
-    fn spread(&mut self, value: &R, before: ContactState<R>, fold: Option<usize>) -> Result<()> {
+    pub(super) fn spread(&mut self, value: &R, before: ContactState<R>, fold: Option<usize>) -> Result<()> {
         self.place = Position::Ended;
         let kind = match self.branches.end()? {
             End::Open => {
@@ -254,7 +259,7 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
 
     /// The surfaces are separated, and the controlled quantity increases to `target`, or is there at the start: they
     /// touch at zero, or before on a ring, where the path ends. Returns whether they touch at the tip.
-    fn approach(&mut self, target: &R) -> Result<bool> {
+    pub(super) fn approach(&mut self, target: &R) -> Result<bool> {
         if self.place != Position::Detached {
             return Ok(false);
         }
@@ -320,18 +325,18 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     }
 
     /// An event without a change of state.
-    fn stay(&mut self, kind: EventKind, value: &R, state: ContactState<R>) {
+    pub(super) fn stay(&mut self, kind: EventKind, value: &R, state: ContactState<R>) {
         self.enter(kind, value, state.clone(), state, None);
     }
 
     /// The path cannot be continued: it ends with the last known state.
-    fn leave(&mut self, kind: EventKind, value: &R) {
+    pub(super) fn leave(&mut self, kind: EventKind, value: &R) {
         self.place = Position::Ended;
         let last = self.events.last().map_or(ContactState::Detached, |event| event.after.clone());
         self.enter(kind, value, last.clone(), last, None);
     }
 
-    fn enter(
+    pub(super) fn enter(
         &mut self,
         kind: EventKind,
         value: &R,
@@ -340,7 +345,9 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
         fold: Option<usize>,
     ) {
         self.value = value.clone();
-        self.events.push(Event { kind, value: value.clone(), before, after, fold, ring: None });
+        let at_rest = matches!(kind, EventKind::Start | EventKind::WayPoint | EventKind::End);
+        let edge = self.edge.filter(|_| !at_rest);
+        self.events.push(Event { kind, value: value.clone(), before, after, fold, edge, ring: None });
     }
 }
 

@@ -9,11 +9,12 @@ mod begin;
 mod energy;
 mod follow;
 mod integral;
+mod pinned;
 mod position;
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Equilibrium, Result};
+use mdr_core::contact::{Edge, Equilibrium, Result};
 use mdr_core::named;
 use mdr_core::number::Real;
 
@@ -21,6 +22,7 @@ use crate::admissible::Ring;
 use crate::branch::EquilibriumBranches;
 
 pub use energy::{Balance, Dissipation, EventEnergy, PathEnergy, stored};
+pub use pinned::{EdgeEnergies, EdgeLoss, Edges};
 
 /// The equilibrium at the first way point with which a path begins.
 #[derive(Clone, Debug, PartialEq)]
@@ -87,6 +89,11 @@ named! {
         /// branch, in the state to which a jump leads, or separated, if they do not first touch at the tip. The theory of a
         /// simply connected contact ends here, and so does the path; the states are the last admissible ones.
         NotAdmissible = "not-admissible",
+        /// The controlled quantity turns, and the edge stays where it is until the work of adhesion of the other way is
+        /// reached.
+        Pinned = "pinned",
+        /// A pinned edge begins to move.
+        Depinned = "depinned",
         /// A way point is reached.
         WayPoint = "way-point",
         /// The last way point is reached.
@@ -107,6 +114,10 @@ pub struct Event<R> {
     pub after: ContactState<R>,
     /// The index of the fold that is passed.
     pub fold: Option<usize>,
+    /// If there are two works of adhesion, the edge whose work of adhesion the event has: of a jump, that which drives it; of
+    /// [`EventKind::Pinned`] the edge that stops, of [`EventKind::Depinned`] the one that begins to move. The fold is one of
+    /// that edge.
+    pub edge: Option<Edge>,
     /// The ring on which the surfaces touch or would interpenetrate, for [`EventKind::NotAdmissible`], and for
     /// [`EventKind::Undecided`] where that is why; the gap is 0
     /// where they touch, and negative if the path jumped to or started from a state that is not admissible.
@@ -171,6 +182,47 @@ impl<R: Real> Path<R> {
         follow::follow(branches, start, way, Some(order)).map(|events| Path { events })
     }
 
+    /// Follows the contact between its two [edges](Edges), which have different works of adhesion, along the `way` points of the
+    /// controlled quantity.
+    ///
+    /// An edge advances to the first radius a' ≥ a at which g(a') − d is at least Δl₁, and recedes to the first a' ≤ a at which
+    /// it is at most Δl₂; in between it is pinned. `ranks` are the places of the way points in their order, equal for equal
+    /// numbers, where these do not show it: enclosures of two equal numbers do not.
+    ///
+    /// The path starts on the receding edge for [`Start::Largest`], on the advancing one for [`Start::Smallest`]. A contact of the
+    /// radius of [`Start::Nearest`] is pinned if it can be, and else the nearest state of either edge.
+    ///
+    /// ```
+    /// use mdr_core::contact::{Control, Edge, Shape};
+    /// use mdr_numeric::medium::{Adhesion, Medium};
+    /// use mdr_numeric::path::{Edges, EventKind, Path, Start};
+    /// use mdr_numeric::{contact::Contact, equilibrium::SearchedBranches, transform::Quadrature};
+    /// let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
+    /// let adhesion = Adhesion::hysteretic(0.01, 0.04)?;
+    /// let contact = Contact::new(ball, Medium::half_space(1.0)?, adhesion, Control::Indentation);
+    /// let [advancing, receding] =
+    ///     [Edge::Advancing, Edge::Receding].map(|edge| SearchedBranches::new(contact.at(edge)));
+    /// let (advancing, receding) = (advancing?, receding?);
+    /// let edges = Edges::new(&contact, &advancing, &receding);
+    /// let path = Path::follow_edges(&edges, &Start::Detached, &[-0.2, 0.03, -0.2], None)?;
+    /// let kinds: Vec<&str> = path.events.iter().map(|event| event.kind.name()).collect();
+    /// assert_eq!(kinds, ["start", "jump-in", "way-point", "pinned", "depinned", "detached", "end"]);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Errors of the transform; [`NoEquilibrium`](mdr_core::contact::Error::NoEquilibrium),
+    /// [`Domain`](mdr_core::contact::Error::Domain) and [`Undecided`](mdr_core::contact::Error::Undecided) under the conditions
+    /// stated at [`Path::follow`].
+    pub fn follow_edges<B: EquilibriumBranches<R>>(
+        edges: &Edges<'_, R, B>,
+        start: &Start<R>,
+        way: &[R],
+        ranks: Option<&[usize]>,
+    ) -> Result<Self> {
+        pinned::follow(edges, start, way, ranks).map(|events| Path { events })
+    }
+
     /// The state in which a path begins: that of the first event of [`follow`](Path::follow).
     ///
     /// ```
@@ -202,6 +254,7 @@ impl<R: Real> Path<R> {
             before: event.before.map(&number),
             after: event.after.map(&number),
             fold: event.fold,
+            edge: event.edge,
             ring: event.ring.as_ref().map(|ring| Ring { radius: number(&ring.radius), gap: number(&ring.gap) }),
         };
         Path { events: self.events.iter().map(event).collect() }

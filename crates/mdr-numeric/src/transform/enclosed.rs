@@ -17,7 +17,7 @@ use rug::float::Round;
 /// The most pieces of an integral at one radius,
 const PIECES: usize = 400;
 /// and over an interval of radii, where too few only lead to narrower intervals.
-const PIECES_OF_INTERVAL: usize = 120;
+const PIECES_OF_INTERVAL: usize = 60;
 /// Intervals of radii that are wider than this ratio are not integrated: g' is bounded by ranges of (r f')'
 const WIDEST: f64 = 1.03125;
 /// on so many parts of the quarter circle.
@@ -28,9 +28,12 @@ const SPARE: i32 = 6;
 const BELOW_WIDTH: i32 = 9;
 /// Recent integrals that are kept.
 const KEPT: usize = 8;
+/// Values of the integrand after which no further integral is begun: some seconds.
+const MOST: u64 = 150_000;
 
 /// The MDR-transformed profile of a formula over enclosures. Its values are proved; where an integral takes too many pieces it
-/// is an [`Error::Unproved`] at a radius, and over an interval of radii the entire line.
+/// is an [`Error::Unproved`] at a radius, and over an interval of radii the entire line. So is every integral after a great
+/// many.
 ///
 /// ```
 /// use mdr_core::contact::{Expression, Transform};
@@ -115,6 +118,11 @@ impl Enclosed {
     fn between_breaks(&self, x: &Interval, order: Order, breaks: &[Interval]) -> Result<Vec<Interval>> {
         let span = Span::of(x);
         let unknown = || vec![Interval::entire(x.ctx()); order.count()];
+        let [from, to] = [x.lower(), x.upper()].map(|end| end.to_string_radix(10, Some(17)));
+        if self.heights.load(Ordering::Relaxed) > MOST {
+            let remedy = "the integrals over the formula took too many values of it";
+            return Err(Error::Unproved { quantity: Quantity::TransformedProfile, from, to, remedy });
+        }
         if span.is_for_ranges() {
             return Ok(unknown());
         }
@@ -122,7 +130,6 @@ impl Enclosed {
             Some(values) => Ok(values.into_iter().map(|value| value.rounded(x.ctx())).collect()),
             None if span.is_wide => Ok(unknown()),
             None => {
-                let [from, to] = [x.lower(), x.upper()].map(|end| end.to_string_radix(10, Some(17)));
                 let remedy = "an integral over the formula takes too many pieces there";
                 Err(Error::Unproved { quantity: Quantity::TransformedProfile, from, to, remedy })
             }

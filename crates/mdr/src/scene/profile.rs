@@ -195,7 +195,6 @@ impl Profile {
     }
 
     /// Whether g can be enclosed: a closed form, rigorous integrals of a formula, or a sum of these.
-    #[cfg(feature = "mp")]
     pub(crate) fn is_enclosed(&self) -> bool {
         match self {
             Profile::Shape(_) | Profile::Formula(_) => true,

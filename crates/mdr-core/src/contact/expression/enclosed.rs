@@ -194,7 +194,7 @@ impl Switch {
         for argument in all {
             let signs = [is_positive(&argument, before)?, is_positive(&argument, after)?];
             if signs[0] != signs[1] {
-                if !arguments.iter().any(|(known, _)| *known == argument) {
+                if !arguments.iter().any(|(known, _)| known.is_same(&argument)) {
                     arguments.push((argument, signs[0]));
                 }
             } else if argument.value(cell).contains_zero() {
@@ -259,6 +259,19 @@ fn is_positive(node: &Node<Interval>, radius: &Interval) -> Option<bool> {
 }
 
 impl Node<Interval> {
+    /// Whether both are written in the same way. (Enclosures that are no points are not equal, as numbers.)
+    fn is_same(&self, other: &Node<Interval>) -> bool {
+        match (self, other) {
+            (Node::Variable, Node::Variable) => true,
+            (Node::Constant(a), Node::Constant(b)) => a.lower() == b.lower() && a.upper() == b.upper(),
+            (Node::Negative(x), Node::Negative(y)) => x.is_same(y),
+            (Node::Power(x, n), Node::Power(y, k)) => n == k && x.is_same(y),
+            (Node::Function(f, x), Node::Function(g, y)) => f == g && x.is_same(y),
+            (Node::Operation(f, a, b), Node::Operation(g, c, d)) => f == g && a.is_same(c) && b.is_same(d),
+            _ => false,
+        }
+    }
+
     /// The arguments whose signs matter: of `abs`, of the root of a square, and the differences of those of `min` and `max`.
     fn switches(&self, found: &mut Vec<Node<Interval>>) {
         if let Some(argument) = self.switch() {
@@ -405,7 +418,7 @@ impl Node<Interval> {
     /// The derivatives on both sides of a break where a switch has an argument that may be zero there.
     fn switched_sides(&self, argument: &Node<Interval>, r: &Euler<Interval>, switch: &Switch) -> Option<Sides> {
         let (before, after) = match &switch.arguments[..] {
-            [(known, positive)] if known == argument => (*positive, !*positive),
+            [(known, positive)] if known.is_same(argument) => (*positive, !*positive),
             // The zeros of different arguments need not be the same.
             [_, _, ..] => return None,
             _ => return self.switched(is_positive(argument, r.value())?).sides(r, switch),
