@@ -15,7 +15,7 @@ mod displacement;
 mod energy;
 mod equilibria;
 mod fields;
-mod folds;
+pub(crate) mod folds;
 mod force_curve;
 mod gap;
 pub(crate) mod key;
