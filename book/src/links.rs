@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::markdown::anchor;
 
 /// The documents that are pages of the book: the file, the page, the part of the contents.
-pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 19] = [
+pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 20] = [
     ("docs/validity.md", "validity", Shelf::Front),
     ("docs/theory.md", "theory", Shelf::Front),
     ("docs/figures.md", "figures", Shelf::Front),
@@ -29,6 +29,7 @@ pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 19] = [
     ("docs/capi.md", "capi", Shelf::Program),
     ("docs/explorer.md", "explorer-help", Shelf::Program),
     ("docs/design.md", "design", Shelf::Program),
+    ("docs/contributing.md", "contributing", Shelf::Program),
 ];
 
 /// A part of the contents.

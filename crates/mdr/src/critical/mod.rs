@@ -195,7 +195,7 @@ impl PowerLaw {
     /// The contact of a scene, where its profile is a power law with rational constants: a power, a cone by its slope, a
     /// paraboloid.
     pub fn of(scene: &Scene) -> Option<PowerLaw> {
-        let [n, c] = rational_constants(&scene.profile)?;
+        let [n, c] = rational_constants(&scene.profile).filter(|_| scene.pressed_into().is_half_space())?;
         Some(PowerLaw {
             n,
             c,

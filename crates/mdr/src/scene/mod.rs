@@ -10,6 +10,7 @@ mod depth;
 mod inputs;
 mod material;
 mod measured;
+mod medium;
 pub(crate) mod parse;
 pub(crate) mod place;
 mod profile;
@@ -27,6 +28,7 @@ use crate::solve;
 use crate::validity::{self, Validity};
 
 pub use measured::Measured;
+pub use medium::{Grading, Medium};
 pub(crate) use place::{Location, Places};
 pub use profile::{Formula, IntoProfile, Profile};
 use read::FEWER_WAY_POINTS;
@@ -74,6 +76,7 @@ pub struct Scene {
     pub(crate) range_of_adhesion: Option<Literal>,
     has_material: bool,
     has_control: bool,
+    pub(crate) medium: Medium,
     pub(crate) profile: Profile,
     pub(crate) control: Control<Literal>,
     /// Way points of the controlled quantity; empty when there is no path.
@@ -119,6 +122,7 @@ impl Scene {
             range_of_adhesion: None,
             has_material: false,
             has_control: false,
+            medium: Medium::HalfSpace,
             profile,
             control: Control::Indentation,
             path: Vec::new(),
@@ -292,6 +296,7 @@ impl Scene {
             return Err(self.places.of("output.want").refuse("nothing is wanted"));
         }
         self.check_needs()?;
+        self.check_medium()?;
         self.check_arithmetic()
     }
 

@@ -23,11 +23,14 @@ pub(crate) struct PowerLaw<'s> {
 }
 
 impl<'s> PowerLaw<'s> {
-    /// `None` if the profile is another one.
+    /// `None` if the profile or the medium is another one.
     ///
     /// # Errors
     /// An input out of its domain; see [`Question::new`].
     pub(crate) fn of(scene: &'s Scene) -> Result<Option<Self>> {
+        if !scene.pressed_into().is_half_space() {
+            return Ok(None);
+        }
         let as_meant = |literal: &Literal| number(scene, literal);
         let Some([exponent, coefficient]) = scene.profile.exact_power_law(as_meant) else { return Ok(None) };
         let literal = |input: &Literal| exactly(&as_meant(input)).unwrap_or_else(|| input.clone());

@@ -45,7 +45,11 @@ pub(super) fn sampled(states: &States<'_, f64>, points: usize) -> Result<ForceCu
                 _ if index == count => Ok(to.before.clone()),
                 _ => lack(between(branches, &from.after, &to.before, value))?,
             };
-            samples.extend(sample(model.control(), segment, step, value, state)?);
+            let seen = |state| match state {
+                ContactState::Contact(state) => ContactState::Contact(model.shown(state)),
+                state => state,
+            };
+            samples.extend(sample(model.control(), segment, step, value, state.map(seen))?);
         }
     }
     let summary = summary(model, &path, branches, &samples)?;
