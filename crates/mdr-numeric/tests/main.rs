@@ -5,6 +5,7 @@ mod admissible;
 mod claims;
 mod contact;
 mod dugdale;
+mod enclosed;
 mod fields;
 mod interruption;
 mod path;

@@ -191,6 +191,9 @@ impl EnclosedCurve {
         if !over_cell.value.contains_zero() {
             return Ok(Behaviour::Nonzero);
         }
+        if !over_cell.slope.is_finite() {
+            return Ok(Behaviour::Unknown);
+        }
         let centre = Interval::point(cell.mid());
         let mean_value = self.condition(&centre)? + over_cell.slope.clone() * (cell.clone() - &centre);
         Ok(if !mean_value.contains_zero() {

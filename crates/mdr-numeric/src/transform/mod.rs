@@ -11,6 +11,8 @@
 
 mod angles;
 mod counted;
+#[cfg(feature = "mp")]
+mod enclosed;
 mod gauss;
 mod integral;
 mod integrand;
@@ -22,6 +24,8 @@ pub(crate) mod strides;
 mod wave;
 mod weighted;
 
+#[cfg(feature = "mp")]
+pub use enclosed::{Enclosed, EnclosedWithSlopes};
 pub use line::Line;
 pub use periodic::Periodic;
 pub use powers::{Powers, graded_kappa, line_factor};

@@ -86,6 +86,10 @@ pub fn described(basis: Basis) -> Cow<'static, str> {
         Basis::Bound => {
             "every state is, by the form of the profile: its g falls nowhere, so that no gap closes outside of a contact"
         }
+        Basis::Isolated => {
+            "decided from the extrema of g, which were isolated by enclosures and are proved to be all, and from the gap, in f64, \
+             wherever g is below the indentation"
+        }
         Basis::Searched => {
             "decided in f64 from the extrema of g, which were searched and resolved, and from the gap wherever g is below the \
              indentation"

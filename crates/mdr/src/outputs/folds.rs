@@ -80,8 +80,8 @@ fn no_range(scene: &Scene, kind: OutputKind, _drawn: bool) -> Option<&'static st
     if scene.pressed_into().is_half_space() && scene.profile.exact_power_law(Literal::to_rational).is_some() {
         return Some("the folds of a power law are a closed form, on all radii");
     }
-    let searched = !scene.is_closed() && scene.exact_rows().is_none();
-    searched.then_some("folds of a formula are searched, not proved")
+    let searched = !scene.is_enclosed() && scene.exact_rows().is_none();
+    searched.then_some("folds of a sum with a table, or of a quadrature, are searched, not proved")
 }
 
 pub(super) struct Room<'w> {

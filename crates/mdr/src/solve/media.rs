@@ -10,7 +10,7 @@ use mdr_numeric::path::EventKind;
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::{Line, Periodic, Powers, Wave, Weighted, graded_kappa};
 
-use super::model::{SceneReal, transform as on_half_space};
+use super::model::{SceneReal, by_formulas};
 use crate::answer::{Output, Value};
 use crate::scene::{Formula, Grading, Medium, Profile, Scene};
 
@@ -175,6 +175,11 @@ impl Scene {
         }
     }
 
+    /// Whether the transform of the profile on the medium can be enclosed: a closed form, or rigorous integrals of formulas.
+    pub(crate) fn is_enclosed(&self) -> bool {
+        if self.medium.is_half_space() { self.profile.is_enclosed() } else { self.is_closed() }
+    }
+
     /// Whether the fold under a dead load is at the depth 0, exactly: that of a power n = (3 + k)/2, such as a paraboloid on a
     /// Winkler foundation.
     #[cfg(feature = "mp")]
@@ -250,7 +255,8 @@ pub(crate) fn transform<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<Box<
     let number = |literal: &Literal| R::from_literal(ctx, literal);
     let of_medium = match &scene.medium {
         Medium::HalfSpace => {
-            return on_half_space(&scene.profile, ctx, &mut |literal| number(literal), accepted.as_ref());
+            let formulas = &|formula: &Formula| R::of_formula(formula, ctx);
+            return by_formulas(&scene.profile, ctx, &mut |literal| number(literal), accepted.as_ref(), formulas);
         }
         Medium::Periodic { wavelength, .. } => {
             return periodic(&scene.profile, ctx, number(wavelength), accepted);

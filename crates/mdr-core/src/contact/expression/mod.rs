@@ -3,6 +3,8 @@
 #[cfg(feature = "mp")]
 mod breaks;
 #[cfg(feature = "mp")]
+mod enclosed;
+#[cfg(feature = "mp")]
 mod jet;
 #[cfg(feature = "mp")]
 mod lowest;
@@ -10,6 +12,8 @@ mod parse;
 
 #[cfg(feature = "mp")]
 pub use breaks::Breaks;
+#[cfg(feature = "mp")]
+pub use enclosed::{EnclosedFormula, FormulaPart};
 #[cfg(feature = "mp")]
 pub use lowest::{FormulaShape, Lowest, LowestRing};
 
