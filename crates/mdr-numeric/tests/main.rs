@@ -7,6 +7,7 @@ mod contact;
 mod dugdale;
 mod fields;
 mod interruption;
+mod media;
 mod path;
 mod path_energy;
 mod pinned;

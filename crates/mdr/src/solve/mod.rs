@@ -18,6 +18,7 @@ mod admissible;
 pub(crate) mod certified;
 #[cfg(feature = "mp")]
 pub(crate) mod digits;
+mod graded;
 #[cfg(feature = "mp")]
 pub(crate) mod law_branches;
 mod media;

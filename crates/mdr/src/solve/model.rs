@@ -14,7 +14,8 @@ use mdr_numeric::medium::{Adhesion, Medium};
 use mdr_numeric::path;
 use mdr_numeric::transform::Quadrature;
 
-use super::media::{self, GradedReal};
+use super::graded::GradedReal;
+use super::media;
 use super::weight::weight;
 use crate::run::Counts;
 use crate::scene::{Profile, Scene, Start};
