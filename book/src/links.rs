@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::markdown::anchor;
 
 /// The documents that are pages of the book: the file, the page, the part of the contents.
-pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 18] = [
+pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 19] = [
     ("docs/validity.md", "validity", Shelf::Front),
     ("docs/theory.md", "theory", Shelf::Front),
     ("docs/figures.md", "figures", Shelf::Front),
@@ -28,6 +28,7 @@ pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 18] = [
     ("docs/capi.md", "capi", Shelf::Program),
     ("docs/explorer.md", "explorer-help", Shelf::Program),
     ("docs/design.md", "design", Shelf::Program),
+    ("docs/contributing.md", "contributing", Shelf::Program),
 ];
 
 /// A part of the contents.
