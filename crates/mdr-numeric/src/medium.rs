@@ -187,6 +187,11 @@ impl<R: Real> Medium<R> {
         }
     }
 
+    /// Whether it is a homogeneous half-space.
+    pub fn is_half_space(&self) -> bool {
+        matches!(self, Medium::HalfSpace { .. })
+    }
+
     /// Whether the depth of a contact is defined: that of a line contact is only against a reference.
     pub fn has_depth(&self) -> bool {
         !matches!(self, Medium::Plane { reference: None, .. })

@@ -9,7 +9,7 @@ use mdr_numeric::energy::Energy;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::medium::{Adhesion, Medium};
 use mdr_numeric::profiles::Heights;
-use mdr_numeric::transform::{Line, Powers, Quadrature, Wave, Weighted};
+use mdr_numeric::transform::{LineLoad, Powers, Quadrature, Wave, Weighted};
 
 const WORK: f64 = 1e-2;
 
@@ -52,7 +52,8 @@ fn the_pressure_carries_the_force() {
     let force = winkler.force(&a).unwrap();
     let (sum, error) = carried(&Fields::new(winkler, a).unwrap(), a, 1.0, |r| 2.0 * PI * r);
     assert!((sum - force).abs() < error, "{sum} {force}");
-    let line = contact(Line::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), Medium::plane(2.0, None).unwrap());
+    let line =
+        contact(LineLoad::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), Medium::plane(2.0, None).unwrap());
     let force = line.force(&a).unwrap();
     let (sum, error) = carried(&Fields::new(line, a).unwrap(), a, 0.0, |_| 2.0);
     assert!((sum - force).abs() < error, "{sum} {force}");
@@ -102,7 +103,7 @@ fn gap_and_displacement_add_up_to_the_profile() {
 fn the_gap_of_a_line_contact() {
     let (b, modulus) = (0.4, 2.0);
     let line =
-        contact(Line::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), Medium::plane(modulus, None).unwrap());
+        contact(LineLoad::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), Medium::plane(modulus, None).unwrap());
     let fields = Fields::new(line, b).unwrap();
     let edge = (2.0 * PI * WORK * b / modulus).sqrt();
     for x in [0.45_f64, 0.8] {
@@ -142,7 +143,8 @@ fn energies() {
     let expected = unit * height * (s * s / 4.0 - load * load / 2.0 * s.ln() - alpha_squared * angle);
     let found = Energy::new(wave).unwrap().potential(&size, &d).unwrap();
     assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
-    let line = contact(Line::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), Medium::plane(1.0, None).unwrap());
+    let line =
+        contact(LineLoad::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), Medium::plane(1.0, None).unwrap());
     assert!(Energy::new(line).is_err());
 }
 
@@ -168,8 +170,8 @@ fn quadratures_are_the_closed_forms() {
         compare(&Weighted::graded(ball(), k), &powers, &format!("graded, k = {k}"));
     }
     compare(&Weighted::winkler(ball(), 1.0), &Powers::winkler([(2.0, 0.5)]).unwrap(), "winkler");
-    let line = Line::new(Box::new(Weighted::line(ball(), 1.0)), None);
-    compare(&line, &Line::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), "line");
+    let line = LineLoad::new(Box::new(Weighted::line(ball(), 1.0)), None);
+    compare(&line, &LineLoad::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), "line");
     let kinked =
         || Heights::new([Shape::RoundedPunch { radius: 1.0, flat: 0.2 }, Shape::Paraboloid { radius: 3.0 }]).unwrap();
     compare(&Weighted::graded(kinked(), 0.0), &Quadrature::new(kinked()), "kinked");

@@ -22,7 +22,7 @@ pub(crate) mod strides;
 mod wave;
 mod weighted;
 
-pub use line::Line;
+pub use line::LineLoad;
 pub use periodic::Periodic;
 pub use powers::{Powers, graded_kappa, line_factor};
 pub use quadrature::{Quadrature, Rule};

@@ -8,7 +8,7 @@ use mdr_core::number::Literal;
 use mdr_numeric::medium;
 use mdr_numeric::path::EventKind;
 use mdr_numeric::profiles::Heights;
-use mdr_numeric::transform::{Line, Periodic, Powers, Wave, Weighted};
+use mdr_numeric::transform::{LineLoad, Periodic, Powers, Wave, Weighted};
 
 use super::model::{SceneReal, transform as on_half_space};
 use crate::answer::{Output, Value};
@@ -44,7 +44,6 @@ pub(crate) fn medium_of<R: SceneReal>(scene: &Scene, ctx: R::Ctx, given: Option<
     let number = |literal: &Literal| R::from_literal(ctx, literal);
     let modulus = || given.clone().unwrap_or_else(|| number(&scene.effective_modulus));
     match &scene.medium {
-        Medium::HalfSpace => medium::Medium::half_space(modulus()),
         Medium::Graded { exponent, stiffness } => {
             let exponent = number(exponent);
             let c = given.clone().unwrap_or_else(|| stiffness_of_grade(ctx, &exponent, stiffness));
@@ -53,6 +52,7 @@ pub(crate) fn medium_of<R: SceneReal>(scene: &Scene, ctx: R::Ctx, given: Option<
         Medium::Winkler { modulus } => medium::Medium::winkler(given.unwrap_or_else(|| number(modulus))),
         Medium::Plane { reference } => medium::Medium::plane(modulus(), reference.as_ref().map(number)),
         Medium::Periodic { wavelength, .. } => medium::Medium::periodic(modulus(), number(wavelength)),
+        _ => medium::Medium::half_space(modulus()),
     }
 }
 
@@ -76,7 +76,7 @@ impl Scene {
     /// Whether the transform of the profile on the medium is a closed form; otherwise it is a quadrature or measured.
     pub(crate) fn is_closed(&self) -> bool {
         match &self.medium {
-            Medium::HalfSpace => self.profile.is_closed(),
+            medium if medium.is_half_space() => self.profile.is_closed(),
             Medium::Periodic { .. } => matches!(self.profile, Profile::Wave(_)),
             _ => powers(&self.profile).is_some(),
         }
@@ -156,15 +156,13 @@ pub(crate) fn transform<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<Box<
     let accepted = R::accepted(scene, ctx);
     let number = |literal: &Literal| R::from_literal(ctx, literal);
     let of_medium = match &scene.medium {
-        Medium::HalfSpace => {
-            return on_half_space(&scene.profile, ctx, &mut |literal| number(literal), accepted.as_ref());
-        }
         Medium::Periodic { wavelength, .. } => {
             return periodic(&scene.profile, ctx, number(wavelength), accepted);
         }
         Medium::Graded { exponent, .. } => OfMedium::Graded(number(exponent)),
         Medium::Winkler { .. } => OfMedium::Winkler,
         Medium::Plane { .. } => OfMedium::Line,
+        _ => return on_half_space(&scene.profile, ctx, &mut |literal| number(literal), accepted.as_ref()),
     };
     let reference = match &scene.medium {
         Medium::Plane { reference } => reference.as_ref().map(number),
@@ -174,13 +172,13 @@ pub(crate) fn transform<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<Box<
         let terms = terms.into_iter().map(|(shape, power)| term::<R>(ctx, shape, power));
         let sum = Powers::new(terms.map(|(n, c)| of_medium.power(n, c)))?;
         return Ok(match of_medium {
-            OfMedium::Line => Box::new(Line::of_powers(sum, reference)),
+            OfMedium::Line => Box::new(LineLoad::of_powers(sum, reference)),
             _ => Box::new(sum),
         });
     }
     let whole = quadrature(&scene.profile, ctx, &of_medium, accepted.as_ref())?;
     Ok(match of_medium {
-        OfMedium::Line => Box::new(Line::new(whole, reference)),
+        OfMedium::Line => Box::new(LineLoad::new(whole, reference)),
         _ => whole,
     })
 }
