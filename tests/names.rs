@@ -36,6 +36,7 @@ const SHARED: &[(&str, usize, &str)] = &[
     ("Ladder", 2, LATER),
     ("LoadingPath", 2, DOUBLE),
     ("Mark", 2, DATA),
+    ("Medium", 2, DOOR),
     ("Node", 2, LATER),
     ("Outcome", 2, LATER),
     ("Path", 2, LATER),

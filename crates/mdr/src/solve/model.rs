@@ -16,7 +16,8 @@ use mdr_numeric::transform::Quadrature;
 #[cfg(feature = "mp")]
 use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
 
-use super::media::{self, GradedReal};
+use super::graded::GradedReal;
+use super::media;
 use super::weight::weight;
 use crate::run::Counts;
 use crate::scene::{Formula, Profile, Scene, Start};
