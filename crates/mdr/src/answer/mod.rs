@@ -23,10 +23,8 @@ pub use style::{Notation, NumberStyle, UnitError, Units};
 pub use types::{Admission, AtValue, Completeness, List, Optional, Overlap, PlainState};
 pub use value::{Number, Promise, Value};
 
-pub use crate::outputs::{
-    Balance, CurvePoint, CurveStability, CurveSummary, Dissipation, EnergyState, Equilibrium, Field, FieldSample,
-    FieldState, Fold, ForceCurve, ForceSample, LoadingPath, Output, OutputKind, PathEvent, TransformSample,
-};
+pub use crate::outputs::records::*;
+pub use crate::outputs::{Output, OutputKind};
 use crate::run::Cost;
 use crate::scene::{Arithmetic, Want};
 use crate::validity::Validity;
