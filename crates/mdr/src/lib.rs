@@ -64,6 +64,7 @@ pub mod diagram;
 pub mod double;
 mod error;
 pub mod files;
+mod outputs;
 mod run;
 pub mod scene;
 mod solve;

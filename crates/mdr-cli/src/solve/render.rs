@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use mdr::answer::{FlatCell, FlatRow, NumberStyle, columns, described, find, title};
+use mdr::answer::{FlatCell, FlatRow, NumberStyle, columns, described, find};
 use mdr::prelude::*;
 
 use crate::error::Result;
@@ -48,8 +48,8 @@ fn output(output: &Output, control: Option<ControlKind>, style: &NumberStyle) ->
 
 fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, style: &NumberStyle) -> String {
     let keys = columns(rows);
-    let unit = |key| title(key, control).1;
-    let titles = keys.iter().map(|key| title(key, control)).map(|(name, unit)| style.titled(name, unit));
+    let unit = |key| output.title(key, control).1;
+    let titles = keys.iter().map(|key| output.title(key, control)).map(|(name, unit)| style.titled(name, unit));
     let mut table = table(&titles.collect::<Vec<_>>());
     // Where the list is that of a range, its end is no end of the equilibria.
     let limited = output.rows().iter().any(|row| row.status() == Status::NoEquilibrium && row.why().is_some());

@@ -11,7 +11,9 @@ use mdr_core::number::Literal;
 use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
 
-use crate::answer::record::{Numbers, Part, Row, record};
+#[cfg(feature = "mp")]
+use crate::answer::record::Numbers;
+use crate::answer::record::record;
 use crate::answer::{Number, Value};
 use crate::error::Result;
 use crate::scene::{Arithmetic, Location, Profile, Scene};

@@ -1,7 +1,8 @@
 //! A critical state as rows of a table.
 
 use super::{CriticalAnswer, CriticalFold, CriticalState};
-use crate::answer::{FlatRow, NumberStyle, Value, columns, find, title};
+use crate::Validity;
+use crate::answer::{FlatRow, NumberStyle, Value, columns, find};
 
 /// A row of the table of critical states: the text below each of [`CriticalRow::COLUMNS`], empty where there is nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -139,11 +140,11 @@ pub fn overview(answers: &[CriticalAnswer], style: &NumberStyle) -> Vec<Vec<Stri
     let scale_free = answers.iter().any(|answer| answer.threshold.is_some());
     let shown: Vec<_> = OVERVIEW.iter().filter(|(key, ..)| scale_free || !OF_HALF.contains(key)).collect();
     let own = shown.iter().map(|(_, name, unit, _)| (*name, *unit));
-    let titles = own.chain(added.iter().map(|key| title(key, None)));
+    let titles = own.chain(added.iter().map(|key| Validity::title(key)));
     let mut table = vec![titles.map(|(name, unit)| style.titled(name, unit)).collect()];
     for answer in answers {
         let validity = answer.validity.as_ref().map(|validity| validity.table()).unwrap_or_default();
-        let added = added.iter().map(|key| find(&validity, key).map(|cell| style.cell(cell, title(key, None).1)));
+        let added = added.iter().map(|key| find(&validity, key).map(|cell| style.cell(cell, Validity::title(key).1)));
         let added: Vec<String> = added.map(Option::unwrap_or_default).collect();
         for row in answer.rows() {
             let own = shown.iter().map(|(key, _, unit, is_number)| {

@@ -19,6 +19,7 @@ pub use sampling::Sample;
 use sampling::samples;
 
 use crate::error::Result;
+use crate::outputs::path::follow;
 use crate::scene::Scene;
 use crate::solve;
 
@@ -117,7 +118,7 @@ impl Scene {
                 .refuse("a drawing shows equilibria, and needs [material] in the scene"));
         }
         solve::drawn(self, REACH, |model, branches| {
-            let events = if self.path.is_empty() { Vec::new() } else { solve::follow(model, branches, self)?.events };
+            let events = if self.path.is_empty() { Vec::new() } else { follow(model, branches, self)?.events };
             let values: Vec<f64> = self.values.iter().map(|literal| model.number(literal)).collect();
             Diagram::new(branches, &events, &values, radius)
         })

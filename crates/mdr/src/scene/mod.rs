@@ -30,10 +30,11 @@ pub use measured::Measured;
 pub(crate) use place::{Location, Places};
 pub use profile::{Formula, IntoProfile, Profile};
 use read::FEWER_WAY_POINTS;
-pub(crate) use read::LISTS;
 pub use read::no_files;
 pub use tree::Files;
-pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, MOST_ROWS, MOST_WAY_POINTS, POINTS, Want};
+pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, MOST_ROWS, MOST_WAY_POINTS};
+
+pub use crate::outputs::{POINTS, Want};
 
 #[cfg(feature = "mp")]
 pub use material::decimal;
@@ -191,7 +192,7 @@ impl Scene {
 
     /// Adds an output, in place of an earlier one of its kind.
     pub fn want(mut self, want: Want) -> Self {
-        if let Want::Folds { range: Some(range) } = &want {
+        if let Some(range) = want.room().range() {
             self.range = Some(range.clone());
         }
         self.values

@@ -1,21 +1,20 @@
 //! Reading a scene: its tables `[profile]`, `[material]`, `[control]` and `[output]`.
 
-use std::cmp::Ordering;
 use std::io;
 use std::path::Path;
 
 use mdr_core::contact::{Body, Control, ControlKind};
 use mdr_core::number::Literal;
-use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
 
-use super::place::{Location, Places};
+use super::place::Places;
 use super::profile::Profile;
 use super::tree::{Files, Section, Value};
-use super::want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, MOST_ROWS, MOST_WAY_POINTS, POINTS, Want};
+use super::want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, MOST_WAY_POINTS};
 use super::{Scene, Start, material, parse};
 use crate::answer::OutputKind;
 use crate::error::Result;
+use crate::outputs::key::Keys;
 
 /// Why a scene with a table is answered in hardware arithmetic.
 const DOUBLES_OF_TABLES: &str = "measured rows are computed in f64 unless more is asked for: `digits` or \
@@ -156,19 +155,6 @@ fn start_of(value: &Value<'_>) -> Result<Start> {
 /// What shortens a path.
 pub(super) const FEWER_WAY_POINTS: &str = "leave out those on the way to others, or follow it in parts with `start`";
 
-/// How a number of a list is read in its unit.
-type Reader = fn(&Value<'_>, SiUnit) -> Result<Literal>;
-
-/// The outputs whose table has a list `at`, and how a number in it is read.
-pub(crate) const LISTS: [(OutputKind, Reader); 6] = [
-    (OutputKind::Transform, |value, unit| value.positive(unit)),
-    (OutputKind::Equilibria, |value, unit| value.number(unit)),
-    (OutputKind::Curve, |value, unit| value.positive(unit)),
-    (OutputKind::Pressure, |value, unit| value.not_negative(unit)),
-    (OutputKind::Gap, |value, unit| value.positive(unit)),
-    (OutputKind::Displacement, |value, unit| value.positive(unit)),
-];
-
 impl Scene {
     /// The table `[control]`.
     fn take_control(&mut self, section: &Section<'_>) -> Result<()> {
@@ -205,39 +191,14 @@ impl Scene {
         self.places.read.push(("output.want", list.place()));
         let kinds = kinds(&list)?;
         let stated = arithmetic(section)?;
-        let mut lists = Vec::new();
-        for (kind, read) in LISTS {
-            // Equilibria are wanted at values of what is held, all else at radii.
-            let is_held = kind == OutputKind::Equilibria;
-            let unit = if is_held { self.control.kind().unit() } else { SiUnit::Metre };
-            let found = at(section, kind.name(), unit, read)?;
-            self.given.extend((!found.is_empty()).then(|| format!("[output.{}]", kind.name())));
-            lists.push((kind, found));
-        }
-        if let Some((range, place)) = range(section)? {
+        let mut keys = Keys::read(section, self.control.kind())?;
+        self.given.append(&mut keys.given);
+        self.wants = kinds.into_iter().map(|kind| kind.question(&keys)).collect();
+        if let Some((range, place)) = keys.range {
             self.range = Some(range);
-            self.given.push("[output.folds] range".to_owned());
             self.places.read.push(("output.folds.range", place));
         }
-        let points = section.optional("points").map(|points| points.whole(2, MOST_ROWS)).transpose()?;
-        self.given.extend(points.map(|_| "[output] points".to_owned()));
-        let at =
-            |kind: OutputKind| lists.iter().find(|(known, _)| *known == kind).map_or(Vec::new(), |(_, at)| at.clone());
-        let states = || at(OutputKind::Equilibria);
-        let want = |kind: OutputKind| match kind {
-            OutputKind::Transform => Want::Transform { at: at(kind) },
-            OutputKind::Equilibria => Want::Equilibria { at: at(kind) },
-            OutputKind::Folds => Want::Folds { range: self.range.clone() },
-            OutputKind::Path => Want::Path,
-            OutputKind::Curve => Want::Curve { at: at(kind) },
-            OutputKind::Pressure => Want::Pressure { states: states(), at: at(kind) },
-            OutputKind::Gap => Want::Gap { states: states(), at: at(kind) },
-            OutputKind::Displacement => Want::Displacement { states: states(), at: at(kind) },
-            OutputKind::Energy => Want::Energy { states: states() },
-            OutputKind::ForceCurve => Want::ForceCurve { points: points.unwrap_or(POINTS) },
-        };
-        self.wants = kinds.into_iter().map(want).collect();
-        self.values = states();
+        self.values = keys.values;
         self.check_needs()?;
         if let Some(range) = section.optional("range_of_adhesion") {
             match &self.range_of_adhesion {
@@ -279,35 +240,4 @@ fn arithmetic(section: &Section<'_>) -> Result<Option<Arithmetic>> {
         }
         (None, None) => Ok(None),
     }
-}
-
-/// The list `at` of a sub-table of `[output]`.
-fn at(section: &Section<'_>, key: &'static str, unit: SiUnit, read: Reader) -> Result<Vec<Literal>> {
-    let Some(value) = section.optional(key) else {
-        return Ok(Vec::new());
-    };
-    let inner = value.section()?;
-    let list = inner.required("at")?.numbers(unit, read);
-    inner.finish()?;
-    list
-}
-
-/// The key `range` of [output.folds], with its place.
-fn range(section: &Section<'_>) -> Result<Option<([Literal; 2], Location)>> {
-    let Some(value) = section.optional("folds") else {
-        return Ok(None);
-    };
-    let inner = value.section()?;
-    let list = inner.required("range")?;
-    let ends = list.numbers(SiUnit::Metre, Value::positive)?;
-    inner.finish()?;
-    let [lower, upper] = <[Literal; 2]>::try_from(ends)
-        .map_err(|ends| list.refuse(format!("expected two contact radii, got {}", ends.len())))?;
-    if lower.compare(&upper) != Ordering::Less {
-        return Err(list.refuse({
-            let [lower, upper] = [lower, upper].map(|end| end.to_string());
-            format!("the range must ascend, got {} to {}", excerpt(&lower), excerpt(&upper))
-        }));
-    }
-    Ok(Some(([lower, upper], list.place())))
 }

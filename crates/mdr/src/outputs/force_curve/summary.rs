@@ -6,9 +6,10 @@ use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{self, SearchQuality};
 use mdr_numeric::path::{Dissipation, Event, EventKind, Path};
 
-use super::model::Model;
-use super::path::{beyond_noise, changes};
-use crate::answer::{CurveSummary, ForceSample, Number, Value};
+use super::{CurveSummary, ForceSample};
+use crate::answer::{Number, Value};
+use crate::outputs::path::{beyond_noise, changes};
+use crate::solve::model::Model;
 
 /// The summary of a path. The samples hold the force at both ends of every stretch between two events.
 ///

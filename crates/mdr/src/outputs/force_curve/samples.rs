@@ -1,57 +1,55 @@
-//! The output `force-curve`: the loading path as a measurement shows it, sampled, with a break at every jump.
+//! The samples of a force curve, with a break at every jump.
 
 use mdr_core::contact::{Control, Error, Fold, FoldKind, Result};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::ContactState;
 
-use super::path::{changes, follow, quantities};
-use super::states::States;
 use super::summary::{summary, unknown};
-use crate::answer::{ForceCurve, ForceSample, List, Number, Optional, Promise, Value};
+use super::{ForceCurve, ForceSample};
+use crate::answer::{List, Number, Optional, Promise, Value};
+use crate::outputs::path::{changes, follow, quantities};
 use crate::run::lack;
-use crate::scene::Scene;
+use crate::solve::states::States;
 
 /// At least so many samples between two events.
 const LEAST: usize = 2;
 
-impl States<'_, f64> {
-    /// The path as a measurement shows it: its samples, and what is read off a measured curve.
-    ///
-    /// # Errors
-    /// A path that cannot start or be followed; errors of the transform.
-    pub(super) fn force_curve(&self, scene: &Scene, points: usize) -> Result<ForceCurve> {
-        let (model, branches) = (self.model, &self.branches);
-        let path = follow(model, branches, scene)?;
-        let travel: f64 = path.events.windows(2).map(|pair| (pair[1].value - pair[0].value).abs()).sum();
-        let mut samples = Vec::new();
-        let mut segment = 1;
-        let mut last = 0.0;
-        for pair in path.events.windows(2) {
-            let [from, to] = [&pair[0], &pair[1]];
-            let step = to.value - from.value;
-            // A jump breaks the curve, and so does a change of direction.
-            if changes(from.kind) || step * last < 0.0 {
-                segment += 1;
-            }
-            if step != 0.0 {
-                last = step;
-            }
-            let share = if travel > 0.0 { step.abs() / travel } else { 0.0 };
-            let count = LEAST.max((share * points as f64).round() as usize);
-            for index in 0..=count {
-                let value = if index == count { to.value } else { from.value + step * (index as f64 / count as f64) };
-                let state = match index {
-                    0 => Ok(from.after.clone()),
-                    _ if index == count => Ok(to.before.clone()),
-                    _ => lack(between(branches, &from.after, &to.before, value))?,
-                };
-                samples.extend(sample(model.control(), segment, step, value, state)?);
-            }
+/// The path as a measurement shows it: its samples, and what is read off a measured curve.
+///
+/// # Errors
+/// A path that cannot start or be followed; errors of the transform.
+pub(super) fn sampled(states: &States<'_, f64>, points: usize) -> Result<ForceCurve> {
+    let (model, branches) = (states.model, &states.branches);
+    let path = follow(model, branches, states.scene)?;
+    let travel: f64 = path.events.windows(2).map(|pair| (pair[1].value - pair[0].value).abs()).sum();
+    let mut samples = Vec::new();
+    let mut segment = 1;
+    let mut last = 0.0;
+    for pair in path.events.windows(2) {
+        let [from, to] = [&pair[0], &pair[1]];
+        let step = to.value - from.value;
+        // A jump breaks the curve, and so does a change of direction.
+        if changes(from.kind) || step * last < 0.0 {
+            segment += 1;
         }
-        let summary = summary(model, &path, branches, &samples)?;
-        Ok(ForceCurve { samples: List::new(Promise::Double, samples), summary })
+        if step != 0.0 {
+            last = step;
+        }
+        let share = if travel > 0.0 { step.abs() / travel } else { 0.0 };
+        let count = LEAST.max((share * points as f64).round() as usize);
+        for index in 0..=count {
+            let value = if index == count { to.value } else { from.value + step * (index as f64 / count as f64) };
+            let state = match index {
+                0 => Ok(from.after.clone()),
+                _ if index == count => Ok(to.before.clone()),
+                _ => lack(between(branches, &from.after, &to.before, value))?,
+            };
+            samples.extend(sample(model.control(), segment, step, value, state)?);
+        }
     }
+    let summary = summary(model, &path, branches, &samples)?;
+    Ok(ForceCurve { samples: List::new(Promise::Double, samples), summary })
 }
 
 /// The state at a value between those of two events, on the branch on which both are.

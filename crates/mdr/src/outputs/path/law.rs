@@ -11,17 +11,16 @@ use mdr_numeric::branch::{End, EquilibriumBranches, FirstContact, unordered};
 use mdr_numeric::path::{ContactState, Event, EventKind, Path, Start};
 use rug::Rational;
 
-use super::path;
-use super::power_law::PowerLaw;
+use super::{Balance, Dissipation, PathEvent, PathNumbers, changes, events as records, is_arrival};
+use crate::answer::Value;
 use crate::answer::record::{Numbers, Part};
-use crate::answer::types::PathNumbers;
-use crate::answer::{Balance, Dissipation, PathEvent, Value};
+use crate::solve::power_law::PowerLaw;
 
 /// The equilibrium in which a path starts; `None` if it cannot start, or if the surfaces are apart.
 ///
 /// # Errors
 /// A decision that the enclosures do not make; see [`Path::first`].
-pub(super) fn start(law: &PowerLaw<'_>, curve: &Curve, first: &Literal) -> Result<Option<Point>> {
+pub(crate) fn start(law: &PowerLaw<'_>, curve: &Curve, first: &Literal) -> Result<Option<Point>> {
     let value = law.number(first);
     let branches = Branches::new(law, curve, vec![value.clone()]);
     match Path::first(&branches, &branches.begin(), &branches.enclose(&value)) {
@@ -43,7 +42,7 @@ pub(super) fn events(law: &PowerLaw<'_>, curve: &Curve) -> Result<PathNumbers<En
     let path = Path::follow_ordered(&branches, &branches.begin(), &way, &order)?;
     let mut way_points = values.into_iter();
     let lines = path.events.iter().map(|event| branches.line(event, &mut way_points)).collect::<Result<Vec<_>>>()?;
-    let mut events = path::events(curve.control(), &path, Admissibility::rising()).convert(Enclosure::from);
+    let mut events = records::events(curve.control(), &path, Admissibility::rising()).convert(Enclosure::from);
     events.iter_mut().zip(&lines).for_each(|(event, line)| branches.write(event, line));
     Ok(PathNumbers { events, balance: branches.balance(&lines) })
 }
@@ -176,9 +175,9 @@ impl<'a> Branches<'a> {
     /// The line of an event; events at way points come in their order.
     fn line<'e>(&self, event: &'e Event<Interval>, way: &mut impl Iterator<Item = Rational>) -> Result<Line<'e>> {
         let held = match event.kind {
-            kind if path::is_arrival(kind) => way.next(),
+            kind if is_arrival(kind) => way.next(),
             // Surfaces meet and part at zero.
-            kind if path::changes(kind) && event.fold.is_none() => Some(Rational::new()),
+            kind if changes(kind) && event.fold.is_none() => Some(Rational::new()),
             _ => None,
         };
         let found = |state: &ContactState<Interval>| match (state, &held) {
@@ -205,7 +204,7 @@ impl<'a> Branches<'a> {
         let dissipated = match event.kind {
             EventKind::CompleteContact => Some(Dissipation::Unbounded),
             EventKind::Detached if falls => Some(Dissipation::Unbounded),
-            kind if path::changes(kind) => {
+            kind if changes(kind) => {
                 Some(Dissipation::Finite(Value::Known(Sum::between(states[0].as_ref(), states[1].as_ref()))))
             }
             _ => None,

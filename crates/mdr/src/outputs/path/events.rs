@@ -1,4 +1,4 @@
-//! The output `path`: one record for each event, and the balance of the energy.
+//! One record for each event of a path, and the balance of its energy.
 
 use std::cmp::Ordering;
 
@@ -10,11 +10,11 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{self, ContactState, Event, EventKind, Path, stored};
 
-use super::model::{Model, SceneReal};
+use super::{Balance, Dissipation, PathEvent, PathNumbers};
 use crate::answer::record::Numbers;
-use crate::answer::types::PathNumbers;
-use crate::answer::{Admission, Balance, Dissipation, Optional, PathEvent, Value};
+use crate::answer::{Admission, Optional, Value};
 use crate::scene::Scene;
+use crate::solve::model::{Model, SceneReal};
 
 /// The path of a scene.
 ///
@@ -97,7 +97,7 @@ fn of_event<R: SceneReal>(control: &Control<R>, event: &Event<R>, admissible: Ad
 }
 
 /// Radius, indentation and force of a state; the controlled one has the value of the control.
-pub(super) fn quantities<R: SceneReal>(
+pub(crate) fn quantities<R: SceneReal>(
     control: &Control<R>,
     state: &ContactState<R>,
     value: &R,
@@ -247,7 +247,7 @@ fn work<R: SceneReal>(dissipated: &Value<Estimate<R>>, stored: &Value<Estimate<R
 }
 
 /// An energy, unless it is nothing but its error: a zero that is not exact is none, however many precisions agree on it.
-pub(super) fn beyond_noise<R: SceneReal>(energy: &Estimate<R>, noise: &R) -> Value<Estimate<R>> {
+pub(crate) fn beyond_noise<R: SceneReal>(energy: &Estimate<R>, noise: &R) -> Value<Estimate<R>> {
     if energy.value.abs() > *noise || *noise == noise.lit(0) {
         return Value::Known(energy.clone());
     }
