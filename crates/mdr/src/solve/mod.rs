@@ -38,7 +38,7 @@ mod weight;
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use mdr_core::contact;
+use mdr_core::contact::{self, Edge};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
@@ -191,15 +191,30 @@ impl<'s> Solver<'s> {
         Ok(Solver { scene, counts, route })
     }
 
-    #[cfg(not(feature = "mp"))]
+    /// The output; with two works of adhesion made of those at each, unless it follows the path between them.
+    ///
+    /// # Errors
+    /// Errors of the transform, of the quadratures and of the proofs; a decision that no precision makes.
     fn output(&self, want: &Want) -> contact::Result<Output> {
+        if !self.scene.has_two_works() || want.kind().is_of_profile() || want.kind().moves() {
+            return self.output_of_one(want);
+        }
+        let of = |edge: Edge| {
+            let scene = self.scene.at(edge);
+            Solver::new(&scene, self.counts)?.output_of_one(want)
+        };
+        want.room().of_edges([of(Edge::Advancing)?, of(Edge::Receding)?]).ok_or_else(unanswered)
+    }
+
+    #[cfg(not(feature = "mp"))]
+    fn output_of_one(&self, want: &Want) -> contact::Result<Output> {
         let Route::Search(search) = &self.route;
         Provider::Search(search).output(&*want.room())?.ok_or_else(unanswered)
     }
 
     /// The output of the first provider that has it, in the arithmetic of the scene.
     #[cfg(feature = "mp")]
-    fn output(&self, want: &Want) -> contact::Result<Output> {
+    fn output_of_one(&self, want: &Want) -> contact::Result<Output> {
         let room = want.room();
         let law = if want.kind().is_of_profile() { None } else { PowerLaw::of(self.scene)? };
         let beyond;

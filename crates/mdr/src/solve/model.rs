@@ -5,11 +5,12 @@ use std::sync::Arc;
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Control, CountingTransform, Error, Material, Quantity, Result, Transform};
+use mdr_core::contact::{Control, CountingTransform, Edge, Error, Material, Quantity, Result, Transform};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Dual, Interval};
 use mdr_numeric::contact::Contact;
+use mdr_numeric::medium::Adhesion;
 use mdr_numeric::transform::Quadrature;
 
 use super::weight::weight;
@@ -72,15 +73,28 @@ impl<R: SceneReal> Model<R> {
         let material = Material::new(number(&scene.effective_modulus), number(&scene.work_of_adhesion))?;
         let control =
             scene.control.try_map(|stiffness| Error::require_positive(Quantity::Stiffness, number(stiffness)))?;
-        Self::with(scene, ctx, material, control, counts)
+        let adhesion = adhesion(scene, |literal| Ok(number(literal)))?;
+        Self::with(scene, ctx, material, adhesion, control, counts)
     }
 
-    fn with(scene: &Scene, ctx: R::Ctx, material: Material<R>, control: Control<R>, counts: &Counts) -> Result<Self> {
+    /// The contact at the work of adhesion of one edge.
+    pub(crate) fn at(&self, edge: Edge) -> Self {
+        Model { ctx: self.ctx, contact: self.contact.at(edge) }
+    }
+
+    fn with(
+        scene: &Scene,
+        ctx: R::Ctx,
+        material: Material<R>,
+        adhesion: Adhesion<R>,
+        control: Control<R>,
+        counts: &Counts,
+    ) -> Result<Self> {
         let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
         let transform = transform(&scene.profile, ctx, number, R::accepted(scene, ctx).as_ref())?;
         let transform = CountingTransform::new(transform, &counts[R::INDEX]);
         let transform = Arc::new(transform.weighing(weight(&scene.profile, R::INDEX, R::from_int(ctx, 1).precision())));
-        Ok(Model { ctx, contact: Contact::sharing(transform, (&material).into(), (&material).into(), control) })
+        Ok(Model { ctx, contact: Contact::sharing(transform, (&material).into(), adhesion, control) })
     }
 
     pub(crate) fn number(&self, literal: &Literal) -> R {
@@ -125,7 +139,19 @@ impl Model<f64> {
             let ratio = over_modulus(scene, Quantity::Stiffness, stiffness)?;
             Error::require_positive(Quantity::Stiffness, ratio)
         })?;
-        Self::with(scene, (), material, control, counts)
+        let adhesion = adhesion(scene, |literal| over_modulus(scene, Quantity::WorkOfAdhesion, literal))?;
+        Self::with(scene, (), material, adhesion, control, counts)
+    }
+}
+
+/// The adhesion of a scene: that of an edge, or of both, of which the receding one is considered.
+fn adhesion<R: SceneReal>(scene: &Scene, number: impl Fn(&Literal) -> Result<R>) -> Result<Adhesion<R>> {
+    match &scene.works {
+        None => Adhesion::new(number(&scene.work_of_adhesion)?),
+        Some(works) => {
+            let both = Adhesion::hysteretic(number(&works[0])?, number(&works[1])?)?;
+            Ok(both.at(scene.edge.unwrap_or(Edge::Receding)))
+        }
     }
 }
 

@@ -12,8 +12,8 @@ use mdr_numeric::path::{ContactState, Event, EventKind, Path, Start};
 use rug::Rational;
 
 use super::{Balance, Dissipation, PathEvent, PathNumbers, changes, events as records, is_arrival};
-use crate::answer::Value;
 use crate::answer::record::{Numbers, Part};
+use crate::answer::{Optional, Value};
 use crate::solve::power_law::PowerLaw;
 
 /// The equilibrium in which a path starts; `None` if it cannot start, or if the surfaces are apart.
@@ -254,7 +254,8 @@ impl<'a> Branches<'a> {
         let stored = Sum::between(last, first);
         let work = dissipated.clone().plus(&stored);
         let [work, dissipated, stored] = [work, dissipated, stored].map(Value::Known);
-        Some(Balance { work, dissipated, stored }.convert(|sum| sum.value(self.curve)))
+        let (jumps, hysteresis) = (Optional(None), Optional(None));
+        Some(Balance { work, dissipated, stored, jumps, hysteresis }.convert(|sum| sum.value(self.curve)))
     }
 }
 
