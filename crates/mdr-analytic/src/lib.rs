@@ -30,6 +30,7 @@
 //! | all power laws as one family | | [`universal_indentation`], [`universal_force`] |
 //! | paraboloid, cone, flat punch | | [`PowerLaw::paraboloid`], [`PowerLaw::cone`], [`flat_punch_pull_off`] |
 //! | range of adhesion: Tabor's number, Maugis's states of a paraboloid | | [`tabor_number`], [`maugis_state`] |
+//! | graded half-space, Winkler foundation, line contact, wave of Johnson (1995) | | [`media`] |
 //! | `f64` within 1 ulp; batches | | [`double`], [`double::grid`] |
 //! | any number of proved digits | | `certified` |
 //!
@@ -70,6 +71,7 @@ mod jump;
 mod kappa;
 mod machine;
 mod maugis;
+pub mod media;
 mod newton;
 mod power_law;
 pub mod profiles;

@@ -17,6 +17,10 @@
 //! < μ < 2 − √3, that is 1/2 < n < 5/2 − √3, φ has a maximum and a minimum at the roots of 3μs² − 2(1−2μ)s + μ = 0, and
 //! there are three folds if φ is positive at the first and negative at the second, else one. For μ = 0, φ decreases
 //! from ln ρ to ln(ρ/3), where ρ = N/√B: one fold for 1 < ρ < 3, none otherwise; λ = ρ gives a = k(ρ−1)/(2E*(3−ρ)).
+//!
+//! A medium whose punch stiffness and elongation are powers of the radius has the balance μu + L − ln(1+βp), with another β:
+//! φ' is least at s = 1/√(1+β), turning points are roots of (1+β)μs² − β(1−(1+2/β)μ)s + μ = 0, and there can be three folds
+//! for 0 < μ < (√(1+β) − 1)/(√(1+β) + 1). The half-space is β = 2.
 
 use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Regime, Result};
 use mdr_core::number::Real;
@@ -168,18 +172,20 @@ impl<R: Real> CriticalRatio<R> {
 }
 
 /// φ(u) and its parameters.
-struct Balance<R> {
-    /// μ = n − 1/2, not zero.
-    slope: R,
+pub(crate) struct Balance<R> {
+    /// μ, not zero.
+    pub(crate) slope: R,
     /// L.
-    offset: R,
+    pub(crate) offset: R,
+    /// β, 2 on the half-space.
+    pub(crate) growth: R,
 }
 
 /// An interval of u in which φ is monotone and has one root.
-struct Piece<R> {
+pub(crate) struct Piece<R> {
     from: R,
     to: R,
-    kind: FoldKind,
+    pub(crate) kind: FoldKind,
 }
 
 impl<R: Real> Balance<R> {
@@ -194,29 +200,29 @@ impl<R: Real> Balance<R> {
             ln_strength - ln_edge_length(material).over(2)
         };
         let offset = contact.ln_machine_length(stiffness) * &slope + ln_ratio;
-        Balance { slope, offset }
+        Balance { growth: slope.lit(2), slope, offset }
     }
 
     /// p = s/(1+s), without overflow for any u.
-    fn share(u: &R) -> R {
+    pub(crate) fn share(u: &R) -> R {
         ((-u.clone()).exp() + u.lit(1)).inv()
     }
 
     fn value(&self, u: &R) -> R {
-        u.clone() * &self.slope + &self.offset - Self::share(u).times(2).ln_1p()
+        u.clone() * &self.slope + &self.offset - (Self::share(u) * &self.growth).ln_1p()
     }
 
     fn derivative(&self, u: &R) -> R {
         let share = Self::share(u);
         let rest = (u.exp() + u.lit(1)).inv();
-        self.slope.clone() - (share.clone() * &rest).times(2) / (share.times(2) + u.lit(1))
+        self.slope.clone() - (share.clone() * &rest) * &self.growth / (share * &self.growth + u.lit(1))
     }
 
     /// The monotone pieces that contain a root, by increasing u.
-    fn pieces(&self) -> Result<Vec<Piece<R>>> {
+    pub(crate) fn pieces(&self) -> Result<Vec<Piece<R>>> {
         let zero = self.slope.lit(0);
         let first = -self.offset.clone() / &self.slope;
-        let last = (zero.lit(3).ln() - &self.offset) / &self.slope;
+        let last = ((self.growth.clone() + zero.lit(1)).ln() - &self.offset) / &self.slope;
         if self.slope < zero {
             return Ok(vec![Piece { from: last, to: first, kind: FoldKind::Maximum }]);
         }
@@ -238,28 +244,31 @@ impl<R: Real> Balance<R> {
         })
     }
 
-    /// ln s of the maximum and the minimum of φ: the roots of 3μs² − 2(1−2μ)s + μ = 0, whose product is 1/3.
+    /// ln s of the maximum and the minimum of φ: the roots of (1+β)μs² − β(1−(1+ρ)μ)s + μ = 0, ρ = 2/β, whose product is
+    /// 1/(1+β).
     fn turning_points(&self) -> Result<Option<(R, R)>> {
         let mu = &self.slope;
-        let half = mu.lit(1) - mu.clone().times(2);
-        // (1−2μ)² − 3μ² = (1 − (2+√3)μ)(1 − (2−√3)μ); the second factor is positive with the first.
-        let discriminant = mu.lit(1) - mu.clone().times(4) + mu.square();
+        let ratio = mu.lit(2) / &self.growth;
+        let sum = ratio.clone() + mu.lit(1);
+        let half = mu.lit(1) - sum.clone() * mu;
+        // (1−(1+ρ)μ)² − ρ(2+ρ)μ²: over (1 − (1+ρ+√(ρ(2+ρ)))μ) it leaves a factor that is positive with that one.
+        let discriminant = mu.lit(1) - sum.times(2) * mu + mu.square();
         let zero = mu.lit(0);
         if half <= zero || discriminant <= zero {
             return Ok(None);
         }
         if !(half > zero && discriminant > zero) {
-            return Err(undecided(mu, "whether n is below 5/2 − √3"));
+            return Err(undecided(mu, "whether n is so small that there can be three folds"));
         }
         let sum = half + discriminant.sqrt();
-        let top = (mu.clone() / &sum).ln();
-        Ok(Some((top, (sum / mu.clone().times(3)).ln())))
+        let top = (ratio.clone() * mu / &sum).ln();
+        Ok(Some((top, (sum / (ratio * mu * (self.growth.clone() + mu.lit(1)))).ln())))
     }
 
     /// The root in a piece: an approximation, then [its enclosure](newton::enclosed). Over intervals the derivatives are also
     /// enclosed: that of u − φ(u)/φ'(u) with respect to u is φφ''/φ'², which encloses 0 where u encloses the root, so
     /// the accuracy of the slope of u does not matter.
-    fn root(&self, piece: &Piece<R>) -> Result<R> {
+    pub(crate) fn root(&self, piece: &Piece<R>) -> Result<R> {
         let guess = self.steered().approximate_root(piece);
         let residual = self.value(&guess) / self.derivative(&guess);
         let radius = residual.abs().midpoint().times(4) + tolerance(&guess).times(8);
@@ -272,7 +281,7 @@ impl<R: Real> Balance<R> {
 
     /// This function with representative points as parameters.
     fn steered(&self) -> Self {
-        Balance { slope: self.slope.midpoint(), offset: self.offset.midpoint() }
+        Balance { slope: self.slope.midpoint(), offset: self.offset.midpoint(), growth: self.growth.midpoint() }
     }
 
     /// Newton's method in the piece. The root of a stiff or a soft machine is at an end, to the last bit.

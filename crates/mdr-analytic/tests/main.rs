@@ -11,6 +11,9 @@ mod double_outcomes;
 #[path = "inverse/main.rs"]
 mod inverse;
 mod kappa;
+#[cfg(feature = "mp")]
+#[path = "media/main.rs"]
+mod media;
 #[path = "power_law/main.rs"]
 mod power_law;
 mod profiles;

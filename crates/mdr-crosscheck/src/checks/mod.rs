@@ -7,9 +7,11 @@ mod dugdale;
 mod energy;
 mod equilibria;
 mod folds;
+mod graded;
 mod identities;
 mod kappa;
 mod known;
+mod line;
 mod machine;
 mod path;
 mod profiles;
@@ -17,6 +19,7 @@ mod proof;
 mod quadrature;
 mod range;
 mod threshold;
+mod wave;
 
 use std::sync::LazyLock;
 
@@ -125,6 +128,16 @@ const RUNS: &[(&str, Case)] = &[
     ("maugis-dugdale-paraboloid", by_turns!(dugdale::paraboloid)),
     ("maugis-dugdale-profiles", by_turns!(all profiles, dugdale::profile)),
     ("maugis-dugdale-pull-off", dugdale::pull_off),
+    ("graded-transform", by_turns!(graded::kappa)),
+    ("graded-kernel", graded::kernel),
+    ("graded-states", by_turns!(graded::states)),
+    ("graded-folds", by_turns!(graded::folds)),
+    ("line-kernel", by_turns!(every 5, line::kernel)),
+    ("line-states", by_turns!(every 5, line::states)),
+    ("wave-kernel", wave::kernel),
+    ("wave-states", by_turns!(wave::states)),
+    ("wave-folds", by_turns!(wave::folds)),
+    ("wave-thresholds", wave::thresholds),
     ("printed-1.15-dimensions", by_turns!(identities::dimensions)),
     ("jkr", by_turns!(known::jkr)),
     ("kendall-limit", by_turns!(known::kendall)),

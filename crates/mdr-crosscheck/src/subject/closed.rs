@@ -1,10 +1,11 @@
 //! The closed forms under test, reached through one type so that a deliberate fault can be put into any of them.
 
 use mdr_analytic::certified::{self, Question};
+use mdr_analytic::media::{self, GradedContact, GradedHalfSpace, JohnsonWave, LineContact, WaveControl, WaveState};
 use mdr_analytic::{Kappa, MaugisState, PowerLaw, PowerLawContact, ScaleFreeOutcome, State};
-use mdr_core::contact::{Control, Equilibrium, Fold, Material, Result, Transform};
+use mdr_core::contact::{Control, Equilibrium, Error, Fold, Material, Quantity, Result, Transform};
 use mdr_core::number::certify::Decimal;
-use mdr_core::number::{Precision, Real, Special};
+use mdr_core::number::{Gamma, Precision, Real, Special};
 use rug::{Float, Rational};
 
 use super::mutation::Fault;
@@ -168,6 +169,10 @@ macro_rules! subjects {
 const GIVEN: [&str; 3] = ["C", "E*", "w"];
 /// The names of [`along`].
 const ALONG: [&str; 4] = ["a", "C", "E*", "w"];
+/// The names of [`graded`].
+const GRADED: [&str; 3] = ["C", "c", "w"];
+/// The names of [`graded_along`].
+const GRADED_ALONG: [&str; 4] = ["a", "C", "c", "w"];
 
 subjects! {
     closed {
@@ -255,6 +260,117 @@ subjects! {
         fn flat_punch_limit<R: Real>(contact: &PowerLawContact<R>) -> R =
             contact.flat_punch_limit().map(|state| state.contact_radius),
             "PowerLawContact::flat_punch_limit" [FlatPunchLimit] of ["C"] => [contact.profile().coefficient()];
+        fn graded_kappa<R: Kappa + Gamma>(n: &R, k: &R) -> R = media::graded_kappa(n, k),
+            "graded_kappa" [GradedKappa] of ["n"] => [n];
+        fn graded_threshold<R: Kappa + Gamma>(medium: &GradedHalfSpace<R>, control: &Control<R>) -> R =
+            media::graded_threshold(medium, control),
+            "graded_threshold" [GradedThreshold] of ["c", "w"] => [medium.coefficient(), medium.work_of_adhesion()];
+        fn graded_stiffness<R: Real>(medium: &GradedHalfSpace<R>, a: &R) -> R = medium.punch_stiffness(a),
+            "GradedHalfSpace::punch_stiffness" [GradedStiffness] of ["a", "c"] => [a, medium.coefficient()];
+        fn graded_elongation<R: Real>(medium: &GradedHalfSpace<R>, a: &R) -> R = medium.detachment_elongation(a),
+            "GradedHalfSpace::detachment_elongation" [GradedElongation]
+            of ["a", "c", "w"] => [a, medium.coefficient(), medium.work_of_adhesion()];
+        fn graded_indentation<R: Real>(contact: &GradedContact<R>, a: &R) -> R = contact.indentation(a),
+            "GradedContact::indentation" [GradedIndentation] of GRADED_ALONG => graded_along(contact, a);
+        fn graded_indentation_slope<R: Real>(contact: &GradedContact<R>, a: &R) -> R = contact.indentation_slope(a),
+            "GradedContact::indentation_slope" [GradedIndentationSlope] of GRADED_ALONG => graded_along(contact, a);
+        fn graded_force<R: Real>(contact: &GradedContact<R>, a: &R) -> R = contact.force(a),
+            "GradedContact::force" [GradedForce] of GRADED_ALONG => graded_along(contact, a);
+        fn graded_force_slope<R: Real>(contact: &GradedContact<R>, a: &R) -> R = contact.force_slope(a),
+            "GradedContact::force_slope" [GradedForceSlope] of GRADED_ALONG => graded_along(contact, a);
+        fn graded_energy<R: Real>(contact: &GradedContact<R>, a: &R, d: &R) -> R = contact.energy(a, d),
+            "GradedContact::energy" [GradedEnergy] of GRADED_ALONG => graded_along(contact, a);
+        fn graded_critical<R: Real>(contact: &GradedContact<R>, control: &Control<R>) -> State<R> = contact.critical(control),
+            "GradedContact::critical" [GradedCriticalRadius, GradedCriticalIndentation, GradedCriticalForce]
+            of GRADED => graded(contact);
+        fn graded_machine_folds<R: Real>(contact: &GradedContact<R>, stiffness: &R) -> Vec<Fold<R>> =
+            contact.machine_folds(stiffness),
+            "GradedContact::machine_folds" [GradedMachineRadius, GradedMachineIndentation, GradedMachineForce]
+            of GRADED => graded(contact);
+        fn line_factor<R: Kappa>(n: &R) -> R = media::line_factor(n), "line_factor" [LineFactor] of ["n"] => [n];
+        fn line_threshold<R: Real>(material: &Material<R>) -> R = media::line_threshold(material),
+            "line_threshold" [LineThreshold] of ["E*", "w"] => [material.effective_modulus(), material.work_of_adhesion()];
+        fn line_stiffness<R: Real>(material: &Material<R>, b: &R, reference: &R) -> R =
+            media::line_stiffness(material, b, reference),
+            "line_stiffness" [LineStiffness] of ["E*"] => [material.effective_modulus()];
+        fn cylinder_depth<R: Real>(radius: &R, b: &R, force: &R, reference: &R) -> R =
+            media::cylinder_depth(radius, b, force, reference),
+            "cylinder_depth" [CylinderDepth] of ["R", "b"] => [radius, b];
+        fn line_force<R: Real>(contact: &LineContact<R>, b: &R) -> R = contact.force(b),
+            "LineContact::force" [LineForce] of ["b"] => [b];
+        fn line_force_slope<R: Real>(contact: &LineContact<R>, b: &R) -> R = contact.force_slope(b),
+            "LineContact::force_slope" [LineForceSlope] of ["b"] => [b];
+        fn line_critical<R: Real>(contact: &LineContact<R>) -> [R; 2] =
+            contact.critical().map(|(half_width, force)| [half_width, force]),
+            "LineContact::critical" [LineCriticalWidth, LineCriticalForce] of [] => [];
+        fn line_half_width<R: Real>(contact: &LineContact<R>, force: &R) -> R =
+            contact.half_widths(force).and_then(|found| {
+                found.last().map(|(half_width, _)| half_width.clone()).ok_or_else(|| missing(force))
+            }),
+            "LineContact::half_widths" [LineHalfWidth] of [] => [];
+        fn line_release_rate<R: Real>(contact: &LineContact<R>, b: &R, force: &R) -> R = contact.energy_release_rate(b, force),
+            "LineContact::energy_release_rate" [LineReleaseRate] of ["b"] => [b];
+        fn line_jump_in<R: Real>(contact: &LineContact<R>) -> R = contact.energy_lost_at_jump_in(),
+            "LineContact::energy_lost_at_jump_in" [LineJumpInLoss] of [] => [];
+        fn wave_alpha<R: Real>(amplitude: &R, wavelength: &R, material: &Material<R>) -> R =
+            JohnsonWave::new(amplitude.clone(), wavelength.clone(), material.clone()).map(|wave| wave.alpha().clone()),
+            "JohnsonWave::new" [WaveAlpha]
+            of ["h0", "λ", "E*", "w"]
+            => [amplitude, wavelength, material.effective_modulus(), material.work_of_adhesion()];
+        fn wave_closing_pressure<R: Real>(wave: &JohnsonWave<R>) -> R = Result::Ok(wave.closing_pressure()),
+            "JohnsonWave::closing_pressure" [WaveClosingPressure]
+            of ["h0", "λ", "E*"] => [wave.amplitude(), wave.wavelength(), wave.material().effective_modulus()];
+        fn wave_compliance<R: Real>(wave: &JohnsonWave<R>, stiffness: &R) -> R = wave.compliance(stiffness),
+            "JohnsonWave::compliance" [WaveCompliance]
+            of ["K", "λ", "E*"] => [stiffness, wave.wavelength(), wave.material().effective_modulus()];
+        fn wave_state<R: Special>(wave: &JohnsonWave<R>, angle: &R) -> [R; 2] =
+            wave.state(angle).map(|state| [state.pressure, state.mean_gap]),
+            "JohnsonWave::state" [WavePressure, WaveMeanGap] of ["ψ", "α"] => [angle, wave.alpha()];
+        fn wave_state_at_half_width<R: Special>(wave: &JohnsonWave<R>, a: &R) -> [R; 2] =
+            wave.state_at_half_width(a).map(|state| [state.pressure, state.mean_gap]),
+            "JohnsonWave::state_at_half_width" [WaveWidthPressure, WaveWidthMeanGap] of ["a"] => [a];
+        fn wave_state_with_flaw<R: Special>(wave: &JohnsonWave<R>, c: &R) -> [R; 2] =
+            wave.state_with_flaw(c).map(|state| [state.pressure, state.mean_gap]),
+            "JohnsonWave::state_with_flaw" [WaveFlawPressure, WaveFlawMeanGap] of ["c"] => [c];
+        fn wave_held_gap<R: Special>(wave: &JohnsonWave<R>, angle: &R, pressure: &R) -> R =
+            wave.held(angle, pressure).map(|state| state.mean_gap),
+            "JohnsonWave::held" [WaveHeldGap] of ["ψ"] => [angle];
+        fn wave_folds<R: Special>(wave: &JohnsonWave<R>, control: &WaveControl<R>) -> Vec<State<R>> =
+            wave.folds(control).map(|folds| folds.into_iter().map(|fold| wave_numbers(fold.state)).collect()),
+            "JohnsonWave::folds" [WaveFoldAngle, WaveFoldMeanGap, WaveFoldPressure] of ["α"] => [wave.alpha()];
+        fn wave_touching<R: Special>(wave: &JohnsonWave<R>, control: &WaveControl<R>) -> State<R> =
+            wave.touching(control).and_then(|state| {
+                state.map(wave_numbers).ok_or_else(|| missing(wave.alpha()))
+            }),
+            "JohnsonWave::touching" [WaveTouchAngle, WaveTouchMeanGap, WaveTouchPressure] of ["α"] => [wave.alpha()];
+        fn wave_lost_at_touch<R: Special>(wave: &JohnsonWave<R>, control: &WaveControl<R>) -> R = wave.energy_lost_at_touch(control),
+            "JohnsonWave::energy_lost_at_touch" [WaveTouchLoss] of ["α"] => [wave.alpha()];
+        fn wave_lost_at_pull_off<R: Special>(wave: &JohnsonWave<R>, compliance: &R) -> R = wave.energy_lost_at_pull_off(compliance),
+            "JohnsonWave::energy_lost_at_pull_off" [WavePullOffLoss] of ["α"] => [wave.alpha()];
+        fn wave_lost_at_complete_contact<R: Special>(wave: &JohnsonWave<R>) -> R = wave.energy_lost_at_complete_contact(),
+            "JohnsonWave::energy_lost_at_complete_contact" [WaveCompleteLoss] of ["α"] => [wave.alpha()];
+        fn wave_elastic_energy<R: Special>(state: &WaveState<R>) -> R = Result::Ok(state.elastic_energy()),
+            "WaveState::elastic_energy" [WaveElasticEnergy] of ["ψ"] => [&state.angle];
+        fn wave_energy<R: Special>(state: &WaveState<R>) -> R = Result::Ok(state.energy()),
+            "WaveState::energy" [WaveEnergy] of ["ψ"] => [&state.angle];
+        fn wave_load_potential<R: Special>(state: &WaveState<R>) -> R = Result::Ok(state.load_potential()),
+            "WaveState::load_potential" [WaveLoadPotential] of ["ψ"] => [&state.angle];
+        fn wave_release_rate<R: Special>(state: &WaveState<R>) -> R = Result::Ok(state.release_rate()),
+            "WaveState::release_rate" [WaveReleaseRate] of ["ψ"] => [&state.angle];
+        fn wave_pressure_at<R: Special>(state: &WaveState<R>, position: &R) -> R = state.pressure_at(position),
+            "WaveState::pressure_at" [WavePressureAt] of ["ψ"] => [&state.angle];
+        fn wave_gap_at<R: Special>(state: &WaveState<R>, position: &R) -> R = state.gap_at(position),
+            "WaveState::gap_at" [WaveGapAt] of ["X"] => [position];
+        fn wave_load_threshold<R: Real>(like: &R) -> R = Result::Ok(media::wave_load_threshold(like)),
+            "wave_load_threshold" [WaveLoadThreshold] of [] => [];
+        fn wave_touch_threshold<R: Real>(like: &R) -> R = Result::Ok(media::wave_touch_threshold(like)),
+            "wave_touch_threshold" [WaveTouchThreshold] of [] => [];
+        fn wave_energy_threshold<R: Real>(like: &R) -> R = Result::Ok(media::wave_energy_threshold(like)),
+            "wave_energy_threshold" [WaveEnergyThreshold] of [] => [];
+        fn least_compliance<R: Real>(like: &R) -> R = Result::Ok(media::least_compliance_for_complete_contact(like)),
+            "least_compliance_for_complete_contact" [WaveLeastCompliance] of [] => [];
+        fn wave_approach_threshold<R: Real>(compliance: &R) -> R = media::wave_approach_threshold(compliance),
+            "wave_approach_threshold" [WaveApproachThreshold] of ["κ"] => [compliance];
     }
     certified {
         "kappa_enclosure": KappaEnclosure;
@@ -276,6 +392,28 @@ fn sign(fate: ScaleFreeOutcome) -> i64 {
         ScaleFreeOutcome::CompleteContact => -1,
         ScaleFreeOutcome::Indifferent => 0,
     }
+}
+
+/// ψ, H and P of a state of the wave, in the places of a, d and F.
+fn wave_numbers<R>(state: WaveState<R>) -> State<R> {
+    State { contact_radius: state.angle, indentation: state.mean_gap, force: state.pressure }
+}
+
+/// The error of a check that asks for a state that is not there.
+fn missing<R: Real>(at: &R) -> Error {
+    Error::no_equilibrium(Quantity::Force, at)
+}
+
+/// C, c, w: the parameters of a critical state on a graded half-space beside n and k.
+fn graded<R: Real>(contact: &GradedContact<R>) -> [&R; 3] {
+    let medium = contact.medium();
+    [contact.profile().coefficient(), medium.coefficient(), medium.work_of_adhesion()]
+}
+
+/// a, C, c, w: the parameters of a state along the equilibria on a graded half-space beside n and k.
+fn graded_along<'a, R: Real>(contact: &'a GradedContact<R>, a: &'a R) -> [&'a R; 4] {
+    let [c, coefficient, work] = graded(contact);
+    [a, c, coefficient, work]
 }
 
 /// C, E*, w: the parameters of a critical state beside n.

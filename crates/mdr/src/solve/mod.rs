@@ -18,6 +18,8 @@ mod admissible;
 pub(crate) mod certified;
 #[cfg(feature = "mp")]
 pub(crate) mod digits;
+#[cfg(feature = "mp")]
+pub(crate) mod law_branches;
 pub(crate) mod model;
 #[cfg(feature = "mp")]
 pub(crate) mod out_of_range;

@@ -3,14 +3,15 @@
 use mdr_analytic::certified::{Curve, Elasticity, Point, Question};
 use mdr_core::contact::{self, ControlKind, Edge, Error, Result, Stability};
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Literal, Precision};
+use mdr_core::number::{Interval, Literal, Precision};
+use mdr_numeric::path::{ContactState, Path, Start};
 use rug::Rational;
 
 use super::digits::decide;
+use super::law_branches::LawBranches;
 use super::out_of_range;
 use crate::answer::record::Numbers;
 use crate::answer::{AtValue, Completeness, Number, PlainState};
-use crate::outputs::path::law;
 use crate::scene::{Arithmetic, Scene, exactly};
 
 /// A power law with rational constants, how it is held, and the numbers of its scene in the arithmetic of the answer: as they
@@ -77,7 +78,7 @@ impl<'s> PowerLaw<'s> {
         match (values, self.scene.path.first()) {
             ([], Some(first)) => decide(self.digits, |precision| {
                 let (curve, value) = (self.curve(precision)?, self.number(first));
-                let start = law::start(self, &curve, first)?;
+                let start = self.start(&curve, first)?;
                 let states = start.iter().map(|point| describe(&curve, point, &value));
                 Ok(vec![AtValue::new(first, states.collect::<Result<_>>()?)])
             }),
@@ -110,6 +111,22 @@ impl<'s> PowerLaw<'s> {
         values.iter().map(at).collect()
     }
 
+    /// Which state a path takes at its first way point.
+    pub(crate) fn begin(&self, branches: &LawBranches<'_>) -> Start<Interval> {
+        self.scene.start.map(|radius| branches.enclose(&self.number(radius)))
+    }
+
+    /// The equilibrium in which a path starts; `None` if it cannot start, or if the surfaces are apart.
+    fn start(&self, curve: &Curve, first: &Literal) -> Result<Option<Point>> {
+        let value = self.number(first);
+        let branches = LawBranches::new(curve, vec![value.clone()]);
+        match Path::first(&branches, &self.begin(&branches), &branches.enclose(&value)) {
+            Ok(ContactState::Contact(rest)) => Ok(Some(branches.at(&value, &rest)?.point().clone())),
+            Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
     /// How many equilibria there are at each value; without values, at the start of the path.
     ///
     /// # Errors
@@ -124,7 +141,7 @@ impl<'s> PowerLaw<'s> {
     /// A start of the path that f64 does not find exists where the closed forms have it.
     pub(crate) fn doubted(&self, error: Error) -> Error {
         let Error::NoEquilibrium { quantity, .. } = error else { return error };
-        let start = |first: &Literal| law::start(self, &self.curve(super::digits::start(self.digits))?, first);
+        let start = |first: &Literal| self.start(&self.curve(super::digits::start(self.digits))?, first);
         match self.scene.path.first().map(start) {
             Some(Ok(None)) | None => error,
             Some(_) => {

@@ -5,7 +5,7 @@ pub(crate) mod edges;
 mod edges_proof;
 mod events;
 #[cfg(feature = "mp")]
-pub(crate) mod law;
+mod law;
 #[cfg(feature = "mp")]
 mod proof;
 
