@@ -168,6 +168,24 @@ pub(crate) fn drawn<T>(
     draw(&model, &branches).map_err(|error| solver.complaint(&Want::Path, error))
 }
 
+/// The branches of an advancing and of a receding edge in f64, `octaves` beyond their folds, for a drawing.
+pub(crate) fn drawn_between<T>(
+    scene: &Scene,
+    octaves: i64,
+    draw: impl FnOnce(&Model<f64>, [&SearchedBranches<f64>; 2]) -> contact::Result<T>,
+) -> Result<T> {
+    let counts = Stop::default().counts();
+    let of = |edge: Edge| {
+        let scene = scene.at(edge);
+        let solver = Solver::new(&scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+        let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
+        Ok::<_, Error>((states::branches(&model, folds, octaves), model))
+    };
+    let [(advancing, _), (receding, model)] = [of(Edge::Advancing)?, of(Edge::Receding)?];
+    let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+    draw(&model, [&advancing, &receding]).map_err(|error| solver.complaint(&Want::Path, error))
+}
+
 /// A scene in the arithmetic that it asks for.
 struct Solver<'s> {
     scene: &'s Scene,
