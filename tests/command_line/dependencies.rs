@@ -81,6 +81,7 @@ fn the_packages_see_only_what_the_design_lets_them_see() {
         ("plot", &["contact", "reference"]),
         ("records", &["analytic", "contact", "core", "numeric", "reference"]),
         ("python", &["contact", "plot", "reference"]),
+        ("capi", &["contact"]),
         ("book", &["contact", "crosscheck", "plot", "reference", "symbolic"]),
         ("cli", &["analytic", "contact", "core", "crosscheck", "numeric", "plot", "records", "reference", "symbolic"]),
     ];

@@ -111,7 +111,7 @@ pub mod contact {
     pub use mdr_numeric::function::{Differentiated, Function};
     pub use mdr_numeric::medium::{Adhesion, Medium};
     pub use mdr_numeric::path;
-    pub use mdr_numeric::transform::Quadrature;
+    pub use mdr_numeric::transform::{Line, Powers, Quadrature, Wave, Weighted, graded_kappa};
 }
 
 /// The reader of TOML and JSON with places, for documents that contain parts of scenes: a fit, for example.
@@ -130,6 +130,6 @@ pub mod prelude {
     pub use mdr_numeric::path::EventKind;
 
     pub use crate::answer::{Answer, Field, Number, Output, OutputKind, Promise, Value};
-    pub use crate::scene::{Arithmetic, Formula, Measured, Profile, Scene, Start, Want};
+    pub use crate::scene::{Arithmetic, Formula, Grading, Measured, Medium, Profile, Scene, Start, Want};
     pub use crate::{Error, Observer, Run, Stop};
 }

@@ -97,6 +97,35 @@ fn balance_is_exact() {
     }
 }
 
+/// On a graded half-space and on springs the loop closes as well: the balance, and the closed forms of a foundation.
+#[test]
+fn media_with_hysteresis() {
+    for medium in ["kind = \"graded\"\nexponent = \"3/10\"\ncoefficient = 1", "kind = \"winkler\"\nmodulus = 1"] {
+        let scene_of = |works: &str, control: &str| {
+            format!(
+                "[medium]\n{medium}\n[profile]\nkind = \"paraboloid\"\nradius = 1\n[material]\nwork_of_adhesion = {works}\n\
+                 [control]\nkind = \"indentation\"\n{control}\nstart = \"detached\"\n[output]\nwant = [\"path\"]\n"
+            )
+        };
+        let control = "path = [\"-1\", \"0.2\", \"-1\"]";
+        let two = scene_of("{ advancing = \"0.01\", receding = \"0.04\" }", control);
+        let found = path(&Scene::from_toml(&two, "", &no_files).unwrap());
+        let expected = ["start", "jump-in", "way-point", "pinned", "depinned", "detached", "end"];
+        assert_eq!(kinds(&found), expected, "{medium}");
+        assert_eq!(found.events.promise, Promise::Certified, "{medium}");
+        let number = |value: &Value| value.to_f64().unwrap();
+        let balance = found.balance.clone().unwrap();
+        let radius = number(event(&found, "pinned").contact_radius.as_ref().unwrap());
+        let hysteresis = number(balance.hysteresis.0.as_ref().unwrap());
+        let swept = 0.03 * std::f64::consts::PI * radius * radius;
+        assert!((hysteresis / swept - 1.0).abs() < 1e-14, "{medium}");
+        // The advancing edge of w₁ alone reaches the same radius, and the receding one leaves it as that of w₂ does.
+        let one = path(&Scene::from_toml(&scene_of("\"0.01\"", control), "", &no_files).unwrap());
+        let way_points = [&found, &one].map(|path| text(&path.events.items[2].contact_radius));
+        assert_eq!(way_points[0], way_points[1], "{medium}");
+    }
+}
+
 /// f64 follows the same path as enclosures.
 #[test]
 fn doubles_follow_the_certified_path() {

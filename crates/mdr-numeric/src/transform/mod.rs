@@ -14,7 +14,17 @@ mod counted;
 mod gauss;
 mod integral;
 mod integrand;
+mod line;
+mod periodic;
+mod powers;
 mod quadrature;
 pub(crate) mod strides;
+mod wave;
+mod weighted;
 
+pub use line::Line;
+pub use periodic::Periodic;
+pub use powers::{Powers, graded_kappa, line_factor};
 pub use quadrature::{Quadrature, Rule};
+pub use wave::Wave;
+pub use weighted::Weighted;

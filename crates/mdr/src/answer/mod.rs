@@ -50,6 +50,10 @@ pub struct Answer {
     pub arithmetic: Arithmetic,
     /// The name of the profile.
     pub profile: &'static str,
+    /// The name of the medium.
+    pub medium: &'static str,
+    /// The unit of forces: N, per length N/m, or per area Pa.
+    pub force_unit: &'static str,
     /// The kind of controlled quantity; `None` if nothing is controlled.
     pub control: Option<ControlKind>,
     /// Notes on how the scene was read, where that may surprise.

@@ -7,6 +7,7 @@ use mdr_core::contact::{self, Control, Fold};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::medium::Medium;
 use mdr_numeric::path::{self, ContactState, EventKind};
 
 pub use mdr_core::contact::Equilibrium;
@@ -63,6 +64,8 @@ pub struct Diagram {
     pub control: Control<f64>,
     /// E*.
     pub effective_modulus: f64,
+    /// The medium, with its stiffness at a fixed contact radius.
+    medium: Medium<f64>,
     /// The branches, by increasing radius; neighbours share the point of their fold.
     pub branches: Vec<Branch>,
     /// With two works of adhesion, the branches of an advancing edge: `branches` and all else are those of a receding one.
@@ -170,7 +173,7 @@ impl Diagram {
     /// The state at the contact radius of an equilibrium, with the controlled quantity at `value`.
     fn out_of_equilibrium(&self, sample: &Sample, value: f64) -> State {
         let Sample { contact_radius, indentation: depth, force: rest, .. } = *sample;
-        let slope = 2.0 * self.effective_modulus * contact_radius;
+        let slope = self.medium.stiffness(&contact_radius);
         let indentation = match &self.control {
             Control::Indentation => value,
             Control::Force => depth + (value - rest) / slope,
@@ -213,6 +216,7 @@ impl Diagram {
         Ok(Diagram {
             control: curve.control().clone(),
             effective_modulus: *curve.modulus(),
+            medium: curve.medium().clone(),
             branches: cut(branches, &nodes, &all),
             advancing: Vec::new(),
             wall: wall(curve, upper)?,
@@ -323,7 +327,7 @@ fn wall(curve: &Contact<f64>, upper: f64) -> contact::Result<Option<[State; 2]>>
     let (indentation, force) = curve.state(&radius)?;
     let added = 2.0 * curve.detachment_elongation(&radius)? + indentation.abs();
     let first = State { contact_radius: radius, indentation, force };
-    let force = force + 2.0 * curve.modulus() * radius * added;
+    let force = force + curve.stiffness(&radius) * added;
     Ok(Some([first, State { contact_radius: radius, indentation: indentation + added, force }]))
 }
 

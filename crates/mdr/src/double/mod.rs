@@ -114,6 +114,13 @@ impl Contact {
             let why = "states in columns are those of one work of adhesion: give the one of the edge that is meant";
             return Err(scene.places.of("material.work_of_adhesion").refuse(why));
         }
+        if !scene.medium.is_half_space() {
+            let name = scene.medium.name();
+            let why = format!(
+                "arrays of states are available on a half-space only, got \"{name}\"; solve a scene, or its contact()"
+            );
+            return Err(scene.places.of("medium").refuse(why));
+        }
         let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(Literal::nearest_f64);
         let transform = Arc::from(solve::transform_in_doubles(&scene.profile)?);
         let material = Material::new(modulus, work)?;

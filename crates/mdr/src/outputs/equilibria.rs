@@ -20,7 +20,7 @@ use crate::answer::{Admission, AtValue, PlainState, Value};
 #[cfg(feature = "mp")]
 use crate::answer::{Completeness, Promise};
 use crate::scene::Scene;
-use crate::solve::model::SceneReal;
+use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
@@ -150,14 +150,18 @@ fn at_values<R: SceneReal>(
     states: &States<'_, R>,
     values: &[Literal],
 ) -> Result<Vec<AtValue<Equilibrium<Estimate<R>>>>> {
-    let describe = |state| Ok(judged(state, states.admissibility()).convert(Estimate::exact));
+    let describe = |state| Ok(judged(states.model, state, states.admissibility()).convert(Estimate::exact));
     values.iter().map(|literal| states.described_at(literal, describe)).collect()
 }
 
 /// An equilibrium, and whether it is admissible.
-fn judged<R: Real>(state: contact::Equilibrium<R>, admissibility: &Admissibility) -> Equilibrium<R> {
+fn judged<R: SceneReal>(
+    model: &Model<R>,
+    state: contact::Equilibrium<R>,
+    admissibility: &Admissibility,
+) -> Equilibrium<R> {
     let verdict = admissibility.of(state.contact_radius.approx(), state.indentation.approx());
-    Equilibrium::new(state, verdict)
+    Equilibrium::new(model.shown(state), verdict)
 }
 
 #[cfg(feature = "mp")]
@@ -210,8 +214,10 @@ fn proved_at(
         let at = |literal: &Literal| {
             let mut states = Vec::new();
             for state in branches.equilibria(&enclosed.value.number(literal))? {
-                if limits.map_or(Ok(true), |limits| is_within(&state, limits))? {
-                    let mut state = judged(state, &admissibility).convert(Enclosure::from);
+                if limits.map_or(Ok(true), |limits| {
+                    is_within(&enclosed.value.contact_radius(&state.contact_radius), limits)
+                })? {
+                    let mut state = judged(&enclosed.value, state, &admissibility).convert(Enclosure::from);
                     match certified.scene.control {
                         Control::Indentation => state.indentation = proof::exactly(literal),
                         Control::Force => state.force = proof::exactly(literal),
@@ -235,8 +241,7 @@ fn proved_at(
 
 /// Whether a state lies within a range of contact radii.
 #[cfg(feature = "mp")]
-fn is_within(state: &contact::Equilibrium<Interval>, [lower, upper]: &[Literal; 2]) -> Result<bool> {
-    let radius = &state.contact_radius;
+fn is_within(radius: &Interval, [lower, upper]: &[Literal; 2]) -> Result<bool> {
     let [lower, upper] = [lower, upper].map(|end| Interval::from_literal(radius.ctx(), end));
     if *radius < lower || *radius > upper {
         Ok(false)

@@ -5,9 +5,9 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Edge, FoldKind, Result};
 #[cfg(feature = "mp")]
 use mdr_core::contact::{Control, Regime};
+use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
-use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::{Admissibility, Verdict};
 
 use super::key::Key;
@@ -20,13 +20,14 @@ use crate::answer::{Admission, List, Value};
 #[cfg(feature = "mp")]
 use crate::answer::{Number, Promise};
 use crate::scene::{Arithmetic, Scene};
+use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
     digits::{agree, decide},
     power_law::{self, PowerLaw},
-    proof::{Enclosed, FoldProof},
+    proof::{self, Enclosed, FoldProof},
     refine::refined,
 };
 
@@ -79,10 +80,10 @@ fn no_range(scene: &Scene, kind: OutputKind, _drawn: bool) -> Option<&'static st
         return Some("nothing is proved in f64");
     }
     #[cfg(feature = "mp")]
-    if scene.profile.exact_power_law(Literal::to_rational).is_some() {
+    if scene.pressed_into().is_half_space() && scene.profile.exact_power_law(Literal::to_rational).is_some() {
         return Some("the folds of a power law are a closed form, on all radii");
     }
-    let searched = !scene.profile.is_closed() && scene.profile.rows().is_none();
+    let searched = !scene.is_closed() && scene.exact_rows().is_none();
     searched.then_some("folds of a formula are searched, not proved")
 }
 
@@ -112,14 +113,15 @@ impl<'w> IsRoom<'w> for Room<'w> {
             let model = certified.model::<rug::Float>(precision)?;
             let admissibility = certified.admissibility()?;
             let folds = refined(&model, certified.search()?.folds()?)?.folds.into_iter();
-            Ok(folds.map(|fold| judged(fold, &admissibility)).collect::<Vec<_>>().convert(Estimate::exact))
+            Ok(folds.map(|fold| judged(&model, fold, &admissibility)).collect::<Vec<_>>().convert(Estimate::exact))
         })?;
         Ok(Output::Folds(List::new(Promise::Estimated, items).complete(certified.searched()?)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let admissibility = search.admissibility();
-        let folds: Vec<_> = search.folds()?.folds.iter().map(|fold| judged(fold.clone(), &admissibility)).collect();
+        let folds: Vec<_> =
+            search.folds()?.folds.iter().map(|fold| judged(&search.model, fold.clone(), &admissibility)).collect();
         Ok(Output::Folds(search::list(folds).complete(search.completeness()?)))
     }
 
@@ -140,9 +142,10 @@ impl<'w> IsRoom<'w> for Room<'w> {
 }
 
 /// A fold, and whether it is admissible.
-fn judged<R: Real>(fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
+fn judged<R: SceneReal>(model: &Model<R>, fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
     let verdict = admissibility.of(fold.contact_radius.approx(), fold.indentation.approx());
-    Fold::new(fold, verdict)
+    let contact_radius = model.contact_radius(&fold.contact_radius);
+    Fold::new(contact::Fold { contact_radius, ..fold }, verdict)
 }
 
 /// # Errors
@@ -154,9 +157,13 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
         let enclosed = Enclosed::new(certified, precision)?;
         let curve = enclosed.curve();
         let admissibility = certified.admissibility()?;
-        let refined = |fold: &contact::Fold<Interval>| Ok(judged(curve.refine(fold)?, &admissibility));
+        let refined = |fold: &contact::Fold<Interval>| Ok(judged(&enclosed.value, curve.refine(fold)?, &admissibility));
         let refined: Result<Vec<Fold<Interval>>> = folds.proved.folds.iter().map(refined).collect();
-        Ok(refined?.convert(Enclosure::from))
+        let mut folds = refined?.convert(Enclosure::from);
+        if certified.scene.breaks_at_zero_depth() {
+            folds.iter_mut().for_each(|fold| fold.indentation = proof::exactly(&0.into()));
+        }
+        Ok(folds)
     })?;
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
 }

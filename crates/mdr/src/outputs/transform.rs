@@ -60,7 +60,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
     /// Proved where g is a closed form.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if !certified.scene.profile.is_closed() {
+        if !certified.scene.is_closed() {
             return Ok(None);
         }
         let items = decide(certified.digits, |precision| {

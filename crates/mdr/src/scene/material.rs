@@ -51,22 +51,28 @@ pub(super) fn refused_ratio(ratio: &Literal) -> Option<String> {
 }
 
 /// E* of two bodies, exactly.
-#[cfg(feature = "mp")]
 pub(super) fn combined(bodies: &[Body<Literal>; 2]) -> Option<Literal> {
+    series(bodies)
+}
+
+/// E* of one body or more, exactly.
+#[cfg(feature = "mp")]
+pub(super) fn series(bodies: &[Body<Literal>]) -> Option<Literal> {
     let compliance = |body: &Body<Literal>| {
         (rug::Rational::from(1) - body.poissons_ratio.to_rational().square()) / body.youngs_modulus.to_rational()
     };
-    exactly(&(compliance(&bodies[0]) + compliance(&bodies[1])).recip())
+    let sum: rug::Rational = bodies.iter().map(compliance).sum();
+    exactly(&sum.recip())
 }
 
-/// E* of two bodies, rounded to a double.
+/// E* of one body or more, rounded to a double.
 #[cfg(not(feature = "mp"))]
-pub(super) fn combined(bodies: &[Body<Literal>; 2]) -> Option<Literal> {
+pub(super) fn series(bodies: &[Body<Literal>]) -> Option<Literal> {
     let compliance = |body: &Body<Literal>| {
         let ratio = body.poissons_ratio.nearest_f64();
         (1.0 - ratio) * (1.0 + ratio) / body.youngs_modulus.nearest_f64()
     };
-    Literal::try_from((compliance(&bodies[0]) + compliance(&bodies[1])).recip()).ok()
+    Literal::try_from(bodies.iter().map(compliance).sum::<f64>().recip()).ok()
 }
 
 /// A rational number as a literal; `None` for one of absurd length.

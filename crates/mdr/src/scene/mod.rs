@@ -10,6 +10,7 @@ mod depth;
 mod inputs;
 mod material;
 mod measured;
+mod medium;
 pub(crate) mod parse;
 pub(crate) mod place;
 mod profile;
@@ -27,6 +28,7 @@ use crate::solve;
 use crate::validity::{self, Validity};
 
 pub use measured::Measured;
+pub use medium::{Grading, Medium};
 pub(crate) use place::{Location, Places};
 pub use profile::{Formula, IntoProfile, Profile};
 use read::FEWER_WAY_POINTS;
@@ -78,6 +80,7 @@ pub struct Scene {
     pub(crate) range_of_adhesion: Option<Literal>,
     has_material: bool,
     has_control: bool,
+    pub(crate) medium: Medium,
     pub(crate) profile: Profile,
     pub(crate) control: Control<Literal>,
     /// Way points of the controlled quantity; empty when there is no path.
@@ -125,6 +128,7 @@ impl Scene {
             range_of_adhesion: None,
             has_material: false,
             has_control: false,
+            medium: Medium::HalfSpace,
             profile,
             control: Control::Indentation,
             path: Vec::new(),
@@ -343,6 +347,7 @@ impl Scene {
             return Err(self.places.of("output.want").refuse("nothing is wanted"));
         }
         self.check_needs()?;
+        self.check_medium()?;
         self.check_arithmetic()
     }
 
@@ -360,7 +365,14 @@ impl Scene {
                 let why = format!("`{name}` would have {rows} rows; at most {MOST_ROWS} are computed: {why}");
                 return Err(self.places.of("output.want").refuse(why));
             }
-            if self.has_two_works() && !want.room().has_edges() {
+            if self.has_two_works() && !want.kind().is_of_profile() && self.medium.is_of_strips() {
+                let name = self.medium.name();
+                let why = format!(
+                    "two works of adhesion are available on a half-space, `graded` and `winkler`, got `{name}`: give one number"
+                );
+                return Err(self.places.of("material.work_of_adhesion").refuse(why));
+            }
+            if self.has_two_works() && !want.kind().is_of_profile() && !want.room().has_edges() {
                 let (name, works) = (want.name(), "work_of_adhesion = { advancing = \"…\", receding = \"…\" }");
                 let why = "give the one work of adhesion of the edge that is meant, or want `path`, `force-curve`, `folds` or \
                            `equilibria`";

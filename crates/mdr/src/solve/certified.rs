@@ -105,10 +105,9 @@ impl<'s> Certified<'s> {
     /// # Errors
     /// A range out of its domain; errors of the transform. See [`FoldProof::new`].
     pub(crate) fn fold_proof(&self) -> Result<Option<&FoldProof>> {
-        let profile = &self.scene.profile;
         let folds = once(&self.folds, || {
-            Ok(match profile.rows() {
-                None if profile.is_closed() => Some(FoldProof::new(self)?),
+            Ok(match self.scene.exact_rows() {
+                None if self.scene.is_closed() => Some(FoldProof::new(self)?),
                 Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?).filter(|folds| folds.complete.proved),
                 _ => None,
             })

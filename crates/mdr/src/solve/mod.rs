@@ -20,6 +20,7 @@ pub(crate) mod certified;
 pub(crate) mod digits;
 #[cfg(feature = "mp")]
 pub(crate) mod law_branches;
+mod media;
 pub(crate) mod model;
 #[cfg(feature = "mp")]
 pub(crate) mod out_of_range;
@@ -58,7 +59,7 @@ use crate::outputs::room::Open;
 use crate::run::{Cost, Counts, Run, Stop};
 #[cfg(feature = "mp")]
 use crate::scene::Arithmetic;
-use crate::scene::{Scene, Start, Want};
+use crate::scene::{Medium, Scene, Start, Want};
 use crate::validity;
 
 pub(crate) use admissible::admissibility;
@@ -99,6 +100,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     let validity = validity::of(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver.search().ok()));
+    notes.extend(media::note(scene, &outputs));
     let has_states = scene.has(|kind| !kind.is_of_profile());
     let admissibility = if has_states { solver.admissibility().map(|known| known.basis()) } else { None };
     if run.stop.is_stopped() {
@@ -107,6 +109,8 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     Ok(Answer {
         arithmetic: scene.arithmetic,
         profile: scene.profile.name(),
+        medium: scene.medium.name(),
+        force_unit: scene.medium.force_unit(),
         control: scene.names_control().then(|| scene.control.kind()),
         notes,
         outputs,
@@ -161,6 +165,9 @@ pub(crate) fn drawn<T>(
     octaves: i64,
     draw: impl FnOnce(&Model<f64>, &SearchedBranches<f64>) -> contact::Result<T>,
 ) -> Result<T> {
+    if let Medium::Periodic { .. } = scene.medium {
+        return Err(scene.places.of("medium").refuse("a drawing of a periodic contact is not available; take `curve`"));
+    }
     let counts = Stop::default().counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
@@ -211,11 +218,20 @@ impl<'s> Solver<'s> {
         Ok(Solver { scene, counts, route })
     }
 
+    /// An output, without depths where the medium has none.
+    fn output(&self, want: &Want) -> contact::Result<Output> {
+        let output = self.output_of(want)?;
+        Ok(match self.scene.medium {
+            Medium::Plane { reference: None } => media::without_depth(output),
+            _ => output,
+        })
+    }
+
     /// The output; with two works of adhesion made of those at each, unless it follows the path between them.
     ///
     /// # Errors
     /// Errors of the transform, of the quadratures and of the proofs; a decision that no precision makes.
-    fn output(&self, want: &Want) -> contact::Result<Output> {
+    fn output_of(&self, want: &Want) -> contact::Result<Output> {
         if !self.scene.has_two_works() || want.kind().is_of_profile() || want.kind().moves() {
             return self.output_of_one(want);
         }

@@ -5,22 +5,24 @@ use std::sync::Arc;
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Control, CountingTransform, Edge, Error, Material, Quantity, Result, Transform};
+use mdr_core::contact::{self, Control, CountingTransform, Edge, Error, Quantity, Result, Transform};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Dual, Interval};
 use mdr_numeric::contact::Contact;
-use mdr_numeric::medium::Adhesion;
+use mdr_numeric::medium::{Adhesion, Medium};
+use mdr_numeric::path;
 use mdr_numeric::transform::Quadrature;
 
+use super::media::{self, GradedReal};
 use super::weight::weight;
 use crate::run::Counts;
-use crate::scene::{Profile, Scene};
+use crate::scene::{Profile, Scene, Start};
 #[cfg(feature = "mp")]
 use crate::scene::{double, exactly};
 
 /// An arithmetic in which a scene can be computed.
-pub(crate) trait SceneReal: Struve + Kappa {
+pub(crate) trait SceneReal: Struve + Kappa + GradedReal {
     /// Its place among the [`ARITHMETICS`](crate::run::ARITHMETICS).
     const INDEX: usize;
 
@@ -70,11 +72,11 @@ impl<R: SceneReal> Model<R> {
     /// A parameter of the profile or the material that is out of its domain.
     pub(crate) fn new(scene: &Scene, ctx: R::Ctx, counts: &Counts) -> Result<Self> {
         let number = |literal: &Literal| R::from_literal(ctx, literal);
-        let material = Material::new(number(&scene.effective_modulus), number(&scene.work_of_adhesion))?;
+        let medium = media::medium(scene, ctx)?;
+        let adhesion = adhesion(scene, |literal| Ok(number(literal)))?;
         let control =
             scene.control.try_map(|stiffness| Error::require_positive(Quantity::Stiffness, number(stiffness)))?;
-        let adhesion = adhesion(scene, |literal| Ok(number(literal)))?;
-        Self::with(scene, ctx, material, adhesion, control, counts)
+        Self::with(scene, ctx, (medium, adhesion), control, counts)
     }
 
     /// The contact at the work of adhesion of one edge.
@@ -85,16 +87,14 @@ impl<R: SceneReal> Model<R> {
     fn with(
         scene: &Scene,
         ctx: R::Ctx,
-        material: Material<R>,
-        adhesion: Adhesion<R>,
+        (medium, adhesion): (Medium<R>, Adhesion<R>),
         control: Control<R>,
         counts: &Counts,
     ) -> Result<Self> {
-        let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
-        let transform = transform(&scene.profile, ctx, number, R::accepted(scene, ctx).as_ref())?;
+        let transform = media::transform(scene, ctx)?;
         let transform = CountingTransform::new(transform, &counts[R::INDEX]);
         let transform = Arc::new(transform.weighing(weight(&scene.profile, R::INDEX, R::from_int(ctx, 1).precision())));
-        Ok(Model { ctx, contact: Contact::sharing(transform, (&material).into(), adhesion, control) })
+        Ok(Model { ctx, contact: Contact::sharing(transform, medium, adhesion, control) })
     }
 
     pub(crate) fn number(&self, literal: &Literal) -> R {
@@ -105,6 +105,41 @@ impl<R: SceneReal> Model<R> {
     #[cfg(feature = "mp")]
     pub(crate) fn double(&self, value: f64) -> R {
         R::from_f64(self.ctx, value)
+    }
+
+    /// The contact radius or half-width of a contact of this size.
+    pub(crate) fn contact_radius(&self, size: &R) -> R {
+        self.contact.medium().contact_radius(size)
+    }
+
+    /// The size of a contact with a contact radius of the scene.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for half of a period and more.
+    pub(crate) fn size(&self, contact_radius: &Literal) -> Result<R> {
+        let a = self.number(contact_radius);
+        match self.contact.medium() {
+            Medium::Periodic { wavelength, .. } if !(a.clone().times(2) < *wavelength) => {
+                Err(Error::domain(Quantity::ContactRadius, &a, "smaller than half of the wavelength"))
+            }
+            medium => Ok(medium.size(&a)),
+        }
+    }
+
+    /// The start of a path, by its size.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for half of a period and more.
+    pub(crate) fn start(&self, start: &Start) -> Result<path::Start<R>> {
+        Ok(match start {
+            Start::Nearest(radius) => path::Start::Nearest(self.size(radius)?),
+            start => start.map(|radius| self.number(radius)),
+        })
+    }
+
+    /// A state with its contact radius for its size.
+    pub(crate) fn shown(&self, state: contact::Equilibrium<R>) -> contact::Equilibrium<R> {
+        contact::Equilibrium { contact_radius: self.contact_radius(&state.contact_radius), ..state }
     }
 
     pub(crate) fn transform(&self) -> &dyn Transform<R> {
@@ -134,13 +169,13 @@ impl Model<f64> {
             let requirement = "within the range of f64, where the search for states begins";
             return Err(Error::Domain { quantity, value: number.to_string(), requirement });
         }
-        let material = Material::new(1.0, over_modulus(scene, Quantity::WorkOfAdhesion, &scene.work_of_adhesion)?)?;
+        let medium = media::medium_of(scene, (), Some(1.0))?;
+        let adhesion = adhesion(scene, |literal| over_modulus(scene, Quantity::WorkOfAdhesion, literal))?;
         let control = scene.control.try_map(|stiffness| {
             let ratio = over_modulus(scene, Quantity::Stiffness, stiffness)?;
             Error::require_positive(Quantity::Stiffness, ratio)
         })?;
-        let adhesion = adhesion(scene, |literal| over_modulus(scene, Quantity::WorkOfAdhesion, literal))?;
-        Self::with(scene, (), material, adhesion, control, counts)
+        Self::with(scene, (), (medium, adhesion), control, counts)
     }
 }
 
@@ -158,7 +193,7 @@ fn adhesion<R: SceneReal>(scene: &Scene, number: impl Fn(&Literal) -> Result<R>)
 /// An input over E*, in f64.
 #[cfg(feature = "mp")]
 fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f64> {
-    let modulus = &scene.effective_modulus;
+    let modulus = &scene.scale_of_forces();
     let ratio = exactly(&(input.to_rational() / modulus.to_rational())).as_ref().and_then(double);
     ratio.ok_or_else(|| Error::Domain {
         quantity,
@@ -175,7 +210,7 @@ fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f6
 ///
 /// # Errors
 /// A parameter out of the domain of the profile.
-fn transform<R: Struve + Kappa>(
+pub(super) fn transform<R: Struve + Kappa>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
@@ -203,6 +238,13 @@ fn transform<R: Struve + Kappa>(
             })
         }
         Profile::Table(measured) => Box::new(measured.table.profile::<R>(ctx)?),
+        Profile::Wave(_) => {
+            return Err(Error::Domain {
+                quantity: Quantity::Parameter("the profile"),
+                value: "a wave".to_owned(),
+                requirement: "one that is not periodic: a wave needs [medium] kind = \"periodic\"",
+            });
+        }
     })
 }
 

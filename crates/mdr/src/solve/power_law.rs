@@ -23,13 +23,14 @@ pub(crate) struct PowerLaw<'s> {
 }
 
 impl<'s> PowerLaw<'s> {
-    /// `None` if the profile is another one, with two works of adhesion, and for an edge without adhesion.
+    /// `None` if the profile or the medium is another one, with two works of adhesion, and for an edge without adhesion.
     ///
     /// # Errors
     /// An input out of its domain; see [`Question::new`].
     pub(crate) fn of(scene: &'s Scene) -> Result<Option<Self>> {
-        let no_adhesion = scene.works.as_ref().is_some_and(|works| works[0].is_zero());
-        if scene.has_two_works() || scene.edge == Some(Edge::Advancing) && no_adhesion {
+        let no_adhesion =
+            scene.edge == Some(Edge::Advancing) && scene.works.as_ref().is_some_and(|works| works[0].is_zero());
+        if !scene.pressed_into().is_half_space() || scene.has_two_works() || no_adhesion {
             return Ok(None);
         }
         let as_meant = |literal: &Literal| number(scene, literal);

@@ -111,7 +111,11 @@ pub(super) fn sampled(course: Course<'_, '_>, points: usize) -> Result<ForceCurv
                 _ if index == count => Ok(to.before.clone()),
                 _ => lack(course.between(&from.after, &to.before, value))?,
             };
-            samples.extend(sample(model.control(), segment, step, value, state)?);
+            let seen = |state| match state {
+                ContactState::Contact(state) => ContactState::Contact(model.shown(state)),
+                state => state,
+            };
+            samples.extend(sample(model.control(), segment, step, value, state.map(seen))?);
         }
     }
     let summary = summary(course, model, &path, &samples)?;

@@ -7,7 +7,7 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{EdgeEnergies, EdgeLoss, Edges, Path};
 
-use super::events::{self, balance, dissipated, plus, unknown, work};
+use super::events::{self, balance, dissipated, plus, shown, unknown, work};
 use super::{Balance, PathEvent, PathNumbers};
 use crate::answer::record::Numbers;
 use crate::answer::{Optional, Value};
@@ -27,7 +27,7 @@ pub(crate) fn follow<R: SceneReal, B: EquilibriumBranches<R>>(
 ) -> Result<Path<R>> {
     let way: Vec<R> = scene.path.iter().map(|point| model.number(point)).collect();
     let edges = Edges::new(&model.contact(), advancing, receding);
-    let start = scene.start.map(|radius| model.number(radius));
+    let start = model.start(&scene.start)?;
     Path::follow_edges(&edges, &start, &way, Some(&ranks(&scene.path)))
 }
 
@@ -87,7 +87,8 @@ pub(super) fn with_energy<R: SceneReal>(
     }
     let balance = balance(path, way, energies.stored(path), &jumps)?;
     let balance = balance.map(|balance| split(balance, &hysteresis));
-    let events = events::events(receding.control(), path, receding.admissibility()).convert(Estimate::exact);
+    let events = events::events(receding.control(), &shown(path, receding.curve().medium()), receding.admissibility())
+        .convert(Estimate::exact);
     let losses = jumps.into_iter().zip(hysteresis);
     let events = events.into_iter().zip(losses).map(|(event, (dissipated, hysteresis))| PathEvent {
         dissipated,

@@ -28,6 +28,8 @@ pub(super) struct Pair<'a, 's> {
 /// A path that was followed over enclosures.
 pub(super) struct Followed {
     path: Path<Interval>,
+    /// The path with contact radii for sizes.
+    shown: Path<Interval>,
     folds: [Vec<contact::Fold<Interval>>; 2],
     control: Control<Interval>,
     bits: u32,
@@ -69,7 +71,8 @@ impl Followed {
         let finite = |branches: &ProvedBranches| {
             branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect()
         };
-        Ok(Followed { path, folds: [finite(&outer), finite(&inner)], control, bits: precision.bits() })
+        let shown = events::shown(&path, model.contact().medium());
+        Ok(Followed { path, shown, folds: [finite(&outer), finite(&inner)], control, bits: precision.bits() })
     }
 
     /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is
@@ -111,7 +114,7 @@ pub(super) fn path(pair: &Pair<'_, '_>) -> Result<Option<(LoadingPath, Followed)
     let mut last = None;
     let items = decide_from(precision, receding.digits, |precision| {
         let followed = last.insert(Followed::new(pair, precision)?);
-        let events = events::events(&followed.control, &followed.path, &*receding.admissibility()?);
+        let events = events::events(&followed.control, &followed.shown, &*receding.admissibility()?);
         let mut events = events.convert(Enclosure::from);
         let (mut way, mut held) = (scene.path.iter(), None);
         for (record, event) in events.iter_mut().zip(&followed.path.events) {

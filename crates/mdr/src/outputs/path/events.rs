@@ -8,6 +8,7 @@ use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, Ring, Verdict};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::medium::Medium;
 use mdr_numeric::path::{self, ContactState, Event, EventKind, Path, stored};
 
 use super::{Balance, Dissipation, PathEvent, PathNumbers};
@@ -26,8 +27,9 @@ pub(crate) fn follow<R: SceneReal>(
     scene: &Scene,
 ) -> Result<Path<R>> {
     let way: Vec<R> = scene.path.iter().map(|point| model.number(point)).collect();
+    let start = model.start(&scene.start)?;
     let order: Vec<Ordering> = scene.path.windows(2).map(|pair| pair[1].compare(&pair[0])).collect();
-    Path::follow_ordered(branches, &scene.start.map(|radius| model.number(radius)), &way, &order)
+    Path::follow_ordered(branches, &start, &way, &order)
 }
 
 /// The events of a path, without the energy that is lost in each.
@@ -37,6 +39,19 @@ pub(crate) fn events<R: SceneReal>(
     admissibility: &Admissibility,
 ) -> Vec<PathEvent<R>> {
     path.events.iter().map(|event| of_event(control, event, admission(event, admissibility))).collect()
+}
+
+/// A path with contact radii for the sizes of its contacts.
+pub(crate) fn shown<R: SceneReal>(path: &Path<R>, medium: &Medium<R>) -> Path<R> {
+    let mut path = path.clone();
+    for event in &mut path.events {
+        for state in [&mut event.before, &mut event.after] {
+            if let ContactState::Contact(state) = state {
+                state.contact_radius = medium.contact_radius(&state.contact_radius);
+            }
+        }
+    }
+    path
 }
 
 /// Whether the states of an event are admissible: all are up to the one that ends the path for that.
@@ -155,8 +170,10 @@ pub(crate) fn with_energy<R: SceneReal>(
     let losses = path.events.iter().zip(path::Dissipation::of_each(path, branches));
     let losses = losses.map(|(event, loss)| dissipated(event, loss)).collect::<Result<Vec<_>>>()?;
     let balance = balance(path, way, stored(path, branches), &losses)?;
-    let events =
-        events(branches.control(), path, branches.admissibility()).convert(Estimate::exact).into_iter().zip(losses);
+    let events = events(branches.control(), &shown(path, branches.curve().medium()), branches.admissibility())
+        .convert(Estimate::exact)
+        .into_iter()
+        .zip(losses);
     let events = events.map(|(event, dissipated)| PathEvent { dissipated, ..event }).collect();
     Ok(PathNumbers { events, balance })
 }
