@@ -1,7 +1,7 @@
 //! Whether the theory holds, for a reader.
 
 use mdr::Validity;
-use mdr::answer::{FlatCell, NumberStyle, title};
+use mdr::answer::{FlatCell, NumberStyle};
 use mdr::prelude::Status;
 
 use crate::solve::render::tone;
@@ -12,7 +12,7 @@ pub(crate) fn text(validity: &Validity, style: &NumberStyle) -> String {
     let mut table = table(&["quantity", "value"]);
     for (key, value) in &validity.table() {
         if *value != FlatCell::Empty && *value != FlatCell::Status(Status::Ok) {
-            let (name, unit) = title(key, None);
+            let (name, unit) = Validity::title(key);
             table.add_row([
                 cell(style.titled(name, unit), CellStyle::Plain),
                 cell(style.cell(value, unit), tone(value)),

@@ -12,8 +12,8 @@ use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::Folds;
 
-use crate::answer::record::{Numbers, Part, Row, constant_parts, record};
-use crate::answer::{Admission, Cell, Number, Optional, Promise, Value};
+use crate::answer::record::{Numbers, Row, constant_parts, record};
+use crate::answer::{Admission, Cell, Optional, Promise, Value};
 use crate::run::{Counts, lack};
 use crate::scene::{Profile, Scene};
 use crate::solve::model::{Model, SceneReal};
@@ -65,30 +65,30 @@ record! {
     /// The validity of the short-range theory for a contact, by the range of adhesion z₀, all of it under a dead load.
     Validity {
         /// z₀, in m.
-        range_of_adhesion: Literal,
+        range_of_adhesion: Literal = "range of adhesion" in "m",
         /// The generalised Tabor number μ at `contact_radius`.
-        tabor: Value<N>,
+        tabor: Value<N> = "Tabor number" in "",
         /// The regime of adhesion at this μ.
         regime: AdhesionRegime,
         /// a at the pull-off of the short-range theory; where there is none, at the fold beyond which the contact spreads.
-        contact_radius: Value<N>,
+        contact_radius: Value<N> = "contact radius" in "m",
         /// The pull-off force F of the short-range theory: exactly 0 if a contact shrinks to nothing first (n < 1/2); `None` if
         /// the contact never breaks.
-        jkr_pull_off: Option<Value<N>>,
+        jkr_pull_off: Option<Value<N>> = "JKR pull-off force" in "N",
         /// The pull-off force F by Maugis and Dugdale.
-        maugis_dugdale_pull_off: Value<N>,
+        maugis_dugdale_pull_off: Value<N> = "Maugis-Dugdale pull-off force" in "N",
         /// Their ratio less one; `None` if the short-range pull-off force is 0 or there is none.
-        correction: Option<Value<N>>,
+        correction: Option<Value<N>> = "Maugis-Dugdale / JKR - 1" in "",
         /// a of that state, within which the surfaces touch.
-        maugis_dugdale_contact_radius: Value<N>,
+        maugis_dugdale_contact_radius: Value<N> = "Maugis-Dugdale contact radius" in "m",
         /// c of that state, up to which they attract each other.
-        maugis_dugdale_outer_radius: Value<N>,
+        maugis_dugdale_outer_radius: Value<N> = "radius of the attraction" in "m",
         /// d of that state.
-        maugis_dugdale_indentation: Value<N>,
+        maugis_dugdale_indentation: Value<N> = "Maugis-Dugdale indentation" in "m",
         /// g'(a) at `contact_radius`: the half-space requires slopes far below 1. For a paraboloid it is 2a/R.
-        slope: Value<N>,
+        slope: Value<N> = "slope g'(a)" in "",
         /// a/R at `contact_radius`, of a profile with a radius of curvature R.
-        a_over_r: Optional<N>,
+        a_over_r: Optional<N> = "a/R" in "",
         /// Whether the state at `contact_radius` is admissible.
         admissible: Option<Admission<N>>,
     }
@@ -142,9 +142,7 @@ pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
     let scene = &scene.clone().control(Control::Force);
     Ok(Some(match scene.arithmetic {
         #[cfg(feature = "mp")]
-        crate::scene::Arithmetic::Certified { digits } if scene.profile.is_closed() => {
-            in_digits(scene, range, digits, counts)?
-        }
+        crate::scene::Arithmetic::Certified { digits } if scene.is_closed() => in_digits(scene, range, digits, counts)?,
         _ => {
             let search = Search::new(scene, counts)?;
             let folds = lack(search.folds().cloned())?;

@@ -3,11 +3,12 @@
 //! A record holds enclosures while digits are being decided, and [`Number`]s in an answer. Every view, JSON, tables, CSV and
 //! other languages, walks its [`Row`].
 
-use mdr_core::contact::{FoldKind, Stability, Status};
+use mdr_core::contact::{Edge, FoldKind, Stability, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::path::EventKind;
 
-use super::types::{Admission, CurveStability, Dissipation};
+use super::column::Column;
+use super::types::{Admission, Overlap};
 use super::value::{Number, Value};
 
 /// The content below one key of a record.
@@ -57,8 +58,8 @@ pub struct Row<'a, N = Number> {
     /// Whether the state of the record is admissible: `None` if the record has no state, `Some(None)` if that is not decided.
     pub admissible: Option<Option<bool>>,
     /// A status that its numbers do not show, and its reason.
-    pub(super) mark: Option<Status>,
-    pub(super) why: Option<&'a str>,
+    pub(crate) mark: Option<Status>,
+    pub(crate) why: Option<&'a str>,
     doubt: Option<&'static str>,
 }
 
@@ -110,6 +111,9 @@ pub(crate) trait Numbers<N>: Sized {
     /// A row for each record.
     fn rows(&self) -> Vec<Row<'_, N>>;
 
+    /// The columns that the rows may have.
+    fn columns() -> Vec<Column>;
+
     /// Every result changed by `f`, which may find that it is none.
     fn resolve<M>(self, mut f: impl FnMut(N) -> Value<M>) -> Self::With<M> {
         self.map_values(&mut |value| value.and_then(&mut f))
@@ -131,6 +135,10 @@ impl<N, T: Numbers<N>> Numbers<N> for Vec<T> {
     fn rows(&self) -> Vec<Row<'_, N>> {
         self.iter().flat_map(Numbers::rows).collect()
     }
+
+    fn columns() -> Vec<Column> {
+        T::columns()
+    }
 }
 
 impl<N, T: Numbers<N>> Numbers<N> for Option<T> {
@@ -142,6 +150,10 @@ impl<N, T: Numbers<N>> Numbers<N> for Option<T> {
 
     fn rows(&self) -> Vec<Row<'_, N>> {
         self.iter().flat_map(Numbers::rows).collect()
+    }
+
+    fn columns() -> Vec<Column> {
+        T::columns()
     }
 }
 
@@ -169,6 +181,11 @@ pub(crate) trait Part<N>: Sized {
 
     /// Adds to a row the cells of a field that a record lacks: nothing, unless the field is a number.
     fn put_absent(_key: &'static str, _row: &mut Row<'_, N>) {}
+
+    /// The columns of its cells, of which `declared` is that of a field with one cell.
+    fn columns(declared: Column) -> Vec<Column> {
+        vec![declared]
+    }
 }
 
 impl<N> Part<N> for Value<N> {
@@ -187,28 +204,6 @@ impl<N> Part<N> for Value<N> {
     }
 }
 
-impl<N> Part<N> for Dissipation<N> {
-    type With<M> = Dissipation<M>;
-
-    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
-        match self {
-            Dissipation::Finite(value) => Dissipation::Finite(f(value)),
-            Dissipation::Unbounded => Dissipation::Unbounded,
-        }
-    }
-
-    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
-        match self {
-            Dissipation::Finite(value) => value.put(key, row),
-            Dissipation::Unbounded => row.cells.push((key, Cell::Word("unbounded"))),
-        }
-    }
-
-    fn put_absent(key: &'static str, row: &mut Row<'_, N>) {
-        Value::put_absent(key, row);
-    }
-}
-
 /// A field that a record may lack.
 impl<N, T: Part<N>> Part<N> for Option<T> {
     type With<M> = Option<T::With<M>>;
@@ -223,23 +218,31 @@ impl<N, T: Part<N>> Part<N> for Option<T> {
             None => T::put_absent(key, row),
         }
     }
+
+    fn columns(declared: Column) -> Vec<Column> {
+        T::columns(declared)
+    }
 }
 
 /// Fields without a number of the arithmetic, each with the cells that it adds to a row.
 macro_rules! constant_parts {
-    ($($(#[$doc:meta])* $type:ty: |$part:ident, $key:ident, $row:ident| $put:expr;)*) => {$(
+    ($($(#[$doc:meta])* $type:ty $(as $column:literal)?: |$part:ident, $key:ident, $row:ident| $put:expr;)*) => {$(
         $(#[$doc])*
         impl<N> $crate::answer::record::Part<N> for $type {
             type With<M> = Self;
 
-            fn map_part<M>(self, _: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self {
+            fn map_part<M>(self, _: &mut dyn FnMut($crate::answer::Value<N>) -> $crate::answer::Value<M>) -> Self {
                 self
             }
 
-            fn put<'a>(&'a self, $key: &'static str, $row: &mut Row<'a, N>) {
+            fn put<'a>(&'a self, $key: &'static str, $row: &mut $crate::answer::Row<'a, N>) {
                 let $part = self;
                 $put;
             }
+
+            $(fn columns(_: $crate::answer::Column) -> Vec<$crate::answer::Column> {
+                vec![$crate::answer::Column::new($column)]
+            })?
         }
     )*};
 }
@@ -248,16 +251,13 @@ pub(crate) use constant_parts;
 
 constant_parts! {
     /// A neutral state is a fold, which is its status.
-    Stability: |stability, _key, row| {
+    Stability as "stable": |stability, _key, row| {
         row.cells.push(("stable", Cell::Flag(*stability == Stability::Stable)));
         row.mark = (*stability == Stability::Neutral).then_some(Status::Fold).or(row.mark);
     };
-    CurveStability: |stability, key, row| match &stability.0 {
-        Value::Known(stability) => stability.put(key, row),
-        unknown => row.cells.push(("stable", Cell::UnknownStability(unknown))),
-    };
     Literal: |literal, key, row| row.cells.push((key, Cell::Literal(literal)));
     FoldKind: |kind, key, row| row.cells.push((key, Cell::Word(kind.name())));
+    Edge: |edge, key, row| row.cells.push((key, Cell::Word(edge.name())));
     EventKind: |kind, key, row| row.cells.push((key, Cell::Word(kind.name())));
     &'static str: |word, key, row| row.cells.push((key, Cell::Word(word)));
     usize: |count, key, row| row.cells.push((key, Cell::Count(*count)));
@@ -291,40 +291,66 @@ impl<N> Part<N> for Admission<N> {
             }
         });
     }
+
+    fn columns(_: Column) -> Vec<Column> {
+        <Overlap<N> as Numbers<N>>::columns()
+    }
 }
 
-/// Declares a record: a structure whose fields are [`Part`]s, with their names as keys.
+/// Declares a record: a structure whose fields are [`Part`]s, with their names as keys, and for a column with another heading
+/// or a unit `= "heading" in "unit"`.
 macro_rules! record {
-    ($($(#[$meta:meta])* $name:ident $(in $key:literal)? { $($(#[$doc:meta])* $field:ident: $type:ty,)* })*) => {$(
+    ($($(#[$meta:meta])* $name:ident $(in $key:literal)? {
+        $($(#[$doc:meta])* $field:ident: $type:ty $(= $title:literal in $unit:literal)?,)*
+    })*) => {$(
         $(#[$meta])*
         #[derive(Clone, Debug, PartialEq)]
-        pub struct $name<N = Number> {
+        pub struct $name<N = $crate::answer::Number> {
             $($(#[$doc])* pub $field: $type,)*
         }
 
         /// Within another record its cells stand among those around it.
-        impl<N> Part<N> for $name<N> {
+        impl<N> $crate::answer::record::Part<N> for $name<N> {
             type With<M> = $name<M>;
 
-            fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> $name<M> {
-                $name { $($field: self.$field.map_part(f),)* }
+            fn map_part<M>(
+                self,
+                f: &mut dyn FnMut($crate::answer::Value<N>) -> $crate::answer::Value<M>,
+            ) -> $name<M> {
+                $name { $($field: $crate::answer::record::Part::map_part(self.$field, f),)* }
             }
 
-            fn put<'a>(&'a self, _: &'static str, row: &mut Row<'a, N>) {
-                $(self.$field.put(stringify!($field), row);)*
+            fn put<'a>(&'a self, _: &'static str, row: &mut $crate::answer::Row<'a, N>) {
+                $($crate::answer::record::Part::put(&self.$field, stringify!($field), row);)*
+            }
+
+            fn columns(_: $crate::answer::Column) -> Vec<$crate::answer::Column> {
+                <Self as $crate::answer::record::Numbers<N>>::columns()
             }
         }
 
-        impl<N> Numbers<N> for $name<N> {
+        impl<N> $crate::answer::record::Numbers<N> for $name<N> {
             type With<M> = $name<M>;
             $(const KEY: &'static str = $key;)?
 
-            fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> $name<M> {
-                self.map_part(f)
+            fn map_values<M>(
+                self,
+                f: &mut dyn FnMut($crate::answer::Value<N>) -> $crate::answer::Value<M>,
+            ) -> $name<M> {
+                $crate::answer::record::Part::map_part(self, f)
             }
 
-            fn rows(&self) -> Vec<Row<'_, N>> {
-                vec![Row::new().with("", self)]
+            fn rows(&self) -> Vec<$crate::answer::Row<'_, N>> {
+                vec![$crate::answer::Row::new().with("", self)]
+            }
+
+            fn columns() -> Vec<$crate::answer::Column> {
+                let mut columns = Vec::new();
+                $(
+                    let declared = $crate::answer::Column::new(stringify!($field))$(.titled($title, $unit))?;
+                    columns.extend(<$type as $crate::answer::record::Part<N>>::columns(declared));
+                )*
+                columns
             }
         }
     )*};

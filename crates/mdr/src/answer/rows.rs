@@ -3,9 +3,9 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use mdr_core::contact::{ControlKind, Status};
+use mdr_core::contact::Status;
 
-use super::{Balance, Cell, CurveSummary, NumberStyle, Output, Row, Value};
+use super::{Cell, Output, Row, Value};
 
 /// A cell of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,64 +148,4 @@ fn collect_reasons(rows: &[Row<'_>], reasons: &mut Vec<(Status, String)>) {
 /// The cell below a key.
 pub fn find<'r>(row: &'r FlatRow, key: &str) -> Option<&'r FlatCell> {
     row.iter().find(|(name, _)| name == key).map(|(_, cell)| cell)
-}
-
-/// The heading of a column and its unit in an answer under `control`; without one where the column has none.
-pub fn title(key: &str, control: Option<ControlKind>) -> (&str, &'static str) {
-    match key {
-        "value" if control == Some(ControlKind::Force) => (key, "N"),
-        "value" if control.is_some() => (key, "m"),
-        "contact_radius" => ("contact radius", "m"),
-        "to_contact_radius" => ("to radius", "m"),
-        "to_indentation" => ("to indentation", "m"),
-        "indentation" | "position" | "gap" | "displacement" | "g" | "x" | "r" => (key, "m"),
-        "force" => ("force", "N"),
-        "to_force" => ("to force", "N"),
-        "dissipated" | "energy" => (key, "J"),
-        "stiffness" => ("stiffness", "N/m"),
-        "pressure" => ("pressure", "Pa"),
-        "integral" => ("integral", "m²"),
-        "range_of_adhesion" => ("range of adhesion", "m"),
-        "tabor" => ("Tabor number", ""),
-        "jkr_pull_off" => ("JKR pull-off force", "N"),
-        "maugis_dugdale_pull_off" => ("Maugis-Dugdale pull-off force", "N"),
-        "correction" => ("Maugis-Dugdale / JKR - 1", ""),
-        "maugis_dugdale_contact_radius" => ("Maugis-Dugdale contact radius", "m"),
-        "maugis_dugdale_outer_radius" => ("radius of the attraction", "m"),
-        "maugis_dugdale_indentation" => ("Maugis-Dugdale indentation", "m"),
-        "slope" => ("slope g'(a)", ""),
-        "a_over_r" => ("a/R", ""),
-        key => (key, ""),
-    }
-}
-
-impl Balance {
-    /// The energy of a path in a sentence.
-    pub fn sentence(&self, style: &NumberStyle) -> String {
-        let part = |value: &Value| match value {
-            Value::Unknown { log10: Some(log10), .. } => format!("about 10^{log10:.6} J"),
-            Value::Unknown { status, why: Some(why), .. } => format!("{status} ({why})"),
-            Value::Unknown { status, .. } => status.to_string(),
-            value => style.quantity(&value.to_string(), "J"),
-        };
-        let [work, dissipated, stored] = [&self.work, &self.dissipated, &self.stored].map(part);
-        format!("Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start.")
-    }
-}
-
-impl CurveSummary {
-    /// The summary of a force curve, in a sentence.
-    pub fn sentence(&self, style: &NumberStyle) -> String {
-        let part = |(name, value, unit): (&str, &Option<Value>, &str)| match value {
-            Some(value) => format!("{name} {}", style.quantity(&value.to_string(), unit)),
-            None => format!("no {name}"),
-        };
-        let parts = [
-            ("pull-off force", &self.pull_off_force, "N"),
-            ("force after jump-in", &self.jump_in_force, "N"),
-            ("minimum force", &self.minimum_force, "N"),
-            ("hysteresis", &self.hysteresis, "J"),
-        ];
-        format!("Summary: {}.", parts.map(part).join(", "))
-    }
 }

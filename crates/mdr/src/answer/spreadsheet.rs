@@ -1,6 +1,6 @@
 //! Answers as tables of a spreadsheet: a column of numbers has numbers only.
 
-use super::{Answer, FlatCell, FlatRow, NumberStyle, Output, columns, title};
+use super::{Answer, FlatCell, FlatRow, NumberStyle, Output, columns};
 use crate::scene::Scene;
 
 /// log₁₀ of a number out of range has a column of its own.
@@ -52,7 +52,7 @@ impl Answer {
             "" => name.to_owned(),
             unit => format!("{name} ({})", style.unit(unit)),
         };
-        let unit = |key: &str| title(key.strip_prefix(LOG10).unwrap_or(key), self.control).1;
+        let unit = |key: &str| self.title(output, key.strip_prefix(LOG10).unwrap_or(key)).1;
         let in_units = |row| separated(row, |log10, key| style.magnitude(log10, unit(key)));
         let rows: Vec<FlatRow> = output.table().into_iter().map(in_units).collect();
         let (inputs, keys) = (scene.inputs(), columns(&rows));

@@ -1,11 +1,10 @@
-//! The records of an answer. Lengths in metres, forces in newtons, energies in joules, pressures in pascals.
+//! What the records of an answer have in common. Lengths in metres, forces in newtons, energies in joules, pressures in pascals.
 
-use mdr_core::contact::{self, FoldKind, Stability, Status};
-use mdr_core::named;
+use mdr_core::contact::{self, Stability, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::Verdict;
-use mdr_numeric::path::EventKind;
 
+use super::column::Column;
 use super::record::{Cell, Numbers, Part, Row, record};
 use super::value::{Number, Promise, Value};
 
@@ -43,15 +42,6 @@ impl<N> Admission<N> {
     }
 }
 
-/// The energy that is lost in an event.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Dissipation<N = Number> {
-    /// A finite energy, in joules.
-    Finite(Value<N>),
-    /// An energy without bound: a dead load falls, or an infinite surface comes into contact.
-    Unbounded,
-}
-
 /// A number that has its key only where it is there: the position of a machine.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Optional<N = Number>(pub Option<Value<N>>);
@@ -70,160 +60,25 @@ impl<N> Part<N> for Optional<N> {
     }
 }
 
-/// The stability of a state on the curve, or the reason why it is not decided.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CurveStability(pub Value<Stability>);
-
 record! {
     /// Where the surfaces of a state that is not admissible touch or overlap.
     Overlap {
         /// The radius.
-        r: Value<N>,
+        r: Value<N> = "r" in "m",
         /// The gap there, not above zero.
-        gap: Value<N>,
-    }
-
-    /// The transformed profile at a radius.
-    TransformSample {
-        /// The radius x.
-        x: Literal,
-        /// g(x).
-        g: Value<N>,
-        /// g'(x).
-        slope: Value<N>,
-        /// ∫₀ˣ g, in m².
-        integral: Value<N>,
-    }
-
-    /// A fold of the controlled quantity: where a branch of equilibria loses its stability.
-    Fold {
-        /// a.
-        contact_radius: Value<N>,
-        /// d.
-        indentation: Value<N>,
-        /// F.
-        force: Value<N>,
-        /// Whether the controlled quantity has a minimum or a maximum there, along increasing contact radii.
-        kind: FoldKind,
-        /// Whether the state is admissible.
-        admissible: Admission<N>,
-    }
-
-    /// An equilibrium.
-    Equilibrium in "equilibria" {
-        /// a.
-        contact_radius: Value<N>,
-        /// d.
-        indentation: Value<N>,
-        /// F.
-        force: Value<N>,
-        /// Neutral at a fold.
-        stability: Stability,
-        /// Whether the state is admissible.
-        admissible: Admission<N>,
-    }
-
-    /// The equilibrium with a given contact radius.
-    CurvePoint {
-        /// a.
-        contact_radius: Literal,
-        /// d = g(a) − Δl(a).
-        indentation: Value<N>,
-        /// F.
-        force: Value<N>,
-        /// Neutral at a fold.
-        stability: CurveStability,
-        /// Whether the state is admissible; `None` if it has no indentation depth.
-        admissible: Option<Admission<N>>,
-    }
-
-    /// An event of a loading path. A value that does not apply is missing: there is no contact radius where the surfaces are
-    /// apart.
-    PathEvent {
-        /// The kind of event.
-        event: EventKind,
-        /// D = d + F/k, on a machine.
-        position: Optional<N>,
-        /// d before the event.
-        indentation: Option<Value<N>>,
-        /// F before the event.
-        force: Option<Value<N>>,
-        /// a before the event.
-        contact_radius: Option<Value<N>>,
-        /// a after it.
-        to_contact_radius: Option<Value<N>>,
-        /// d after it.
-        to_indentation: Option<Value<N>>,
-        /// F after it.
-        to_force: Option<Value<N>>,
-        /// Whether the states of the event are admissible.
-        admissible: Admission<N>,
-        /// The energy lost in the event.
-        dissipated: Option<Dissipation<N>>,
-    }
-
-    /// A sample of the loading path.
-    ForceSample {
-        /// From 1; the next one begins at a jump and where the direction changes.
-        segment: usize,
-        /// `approach` while the controlled quantity rises, `retract` while it falls.
-        direction: &'static str,
-        /// D = d + F/k, on a machine.
-        position: Optional<N>,
-        /// d; `None` for bodies apart under a dead load.
-        indentation: Option<Value<N>>,
-        /// F; 0 of bodies apart.
-        force: Value<N>,
-        /// a; `None` for bodies apart.
-        contact_radius: Option<Value<N>>,
-    }
-
-    /// The characteristic values of a force curve; a quantity that the path does not reach has no value.
-    CurveSummary {
-        /// F at the fold from which the contact breaks. Where it shrinks to a point from a smaller contact, to which it has jumped
-        /// before, F at the fold of that jump.
-        pull_off_force: Option<Value<N>>,
-        /// F just after the surfaces have jumped into contact; where contact begins continuously, after the first jump of the
-        /// contact that grows from there.
-        jump_in_force: Option<Value<N>>,
-        /// The minimum of F along the path, at an end of a stretch between two events or at a fold of F on it.
-        minimum_force: Option<Value<N>>,
-        /// The energy lost in all events, in joules; `None` if it has no bound.
-        hysteresis: Option<Value<N>>,
-    }
-
-    /// The energy balance of a path: work = dissipated + stored.
-    Balance {
-        /// Done by the control.
-        work: Value<N>,
-        /// Lost in all events.
-        dissipated: Value<N>,
-        /// The increase of the stored energy from the start to the end.
-        stored: Value<N>,
+        gap: Value<N> = "gap" in "m",
     }
 
     /// The numbers of an equilibrium in a record that says more of it.
     PlainState {
         /// a.
-        contact_radius: Value<N>,
+        contact_radius: Value<N> = "contact radius" in "m",
         /// d.
-        indentation: Value<N>,
+        indentation: Value<N> = "indentation" in "m",
         /// F.
-        force: Value<N>,
+        force: Value<N> = "force" in "N",
         /// Neutral at a fold.
         stability: Stability,
-    }
-
-    /// The energy of a state.
-    EnergyState {
-        /// The state.
-        state: PlainState<N>,
-        /// The potential energy Π of (1.10).
-        energy: Value<N>,
-        /// dF/dd along the equilibria, in N/m.
-        stiffness: Value<N>,
-        /// Whether the state is admissible.
-        admissible: Admission<N>,
     }
 }
 
@@ -239,26 +94,6 @@ impl<N> Overlap<N> {
     }
 }
 
-impl<N> Fold<N> {
-    pub(crate) fn new(fold: contact::Fold<N>, verdict: Verdict) -> Self {
-        let contact::Fold { contact_radius, indentation, force, kind } = fold;
-        Fold {
-            contact_radius: Value::Known(contact_radius),
-            indentation: Value::Known(indentation),
-            force: Value::Known(force),
-            kind,
-            admissible: Admission::of(verdict),
-        }
-    }
-}
-
-impl<N> Equilibrium<N> {
-    pub(crate) fn new(state: contact::Equilibrium<N>, verdict: Verdict) -> Self {
-        let PlainState { contact_radius, indentation, force, stability } = state.into();
-        Equilibrium { contact_radius, indentation, force, stability, admissible: Admission::of(verdict) }
-    }
-}
-
 impl<N> From<contact::Equilibrium<N>> for PlainState<N> {
     fn from(state: contact::Equilibrium<N>) -> Self {
         let contact::Equilibrium { contact_radius, indentation, force, stability } = state;
@@ -268,61 +103,6 @@ impl<N> From<contact::Equilibrium<N>> for PlainState<N> {
             force: Value::Known(force),
             stability,
         }
-    }
-}
-
-named! {
-    /// A quantity along the surface of a state.
-    pub enum Field {
-        /// The normal pressure within the contact, tension negative.
-        Pressure = "pressure",
-        /// The distance of the surfaces outside the contact.
-        Gap = "gap",
-        /// The normal displacement of the surface outside the contact.
-        Displacement = "displacement",
-    }
-}
-
-/// A field at a radius.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FieldSample<N = Number> {
-    /// The radius, as the scene gives it, or chosen by the program.
-    pub r: Value<N>,
-    /// The value of the field, in pascals or metres.
-    pub value: Value<N>,
-}
-
-/// A field along the surface of a state.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FieldState<N = Number> {
-    /// The state.
-    pub state: PlainState<N>,
-    /// The kind of field.
-    pub field: Field,
-    /// The samples, by the radii of the scene.
-    pub samples: Vec<FieldSample<N>>,
-    /// Whether the state is admissible.
-    pub admissible: Admission<N>,
-}
-
-impl<N> Numbers<N> for FieldState<N> {
-    type With<M> = FieldState<M>;
-
-    fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> FieldState<M> {
-        let FieldState { state, field, samples, admissible } = self;
-        let state = state.map_part(f);
-        let samples = samples.into_iter().map(|FieldSample { r, value }| FieldSample { r: f(r), value: f(value) });
-        let samples = samples.collect();
-        FieldState { state, field, samples, admissible: admissible.map_part(f) }
-    }
-
-    fn rows(&self) -> Vec<Row<'_, N>> {
-        let name = self.field.name();
-        let samples = self.samples.iter();
-        let samples = samples.map(|sample| Row::new().with("r", &sample.r).with(name, &sample.value)).collect();
-        let mut row = Row::new().with("", &self.state);
-        row.cells.push((name, Cell::Rows(samples)));
-        vec![row.with("", &self.admissible)]
     }
 }
 
@@ -347,6 +127,16 @@ impl<T> AtValue<T> {
         AtValue { value: value.clone(), items, proved: None, status, why: None }
     }
 
+    /// The items at the value of two results, and the weaker status.
+    pub(crate) fn and(mut self, other: Self) -> Self {
+        self.items.extend(other.items);
+        self.proved = self.proved.zip(other.proved).map(|(one, other)| one && other).or(self.proved).or(other.proved);
+        if other.status == Status::Undecided || self.status == Status::NoEquilibrium {
+            (self.status, self.why) = (other.status, other.why);
+        }
+        self
+    }
+
     /// The states could not be computed, for the reason that the error gives.
     pub(crate) fn open(value: &Literal, error: &contact::Error) -> Self {
         AtValue { status: Status::Undecided, why: Some(error.to_string()), ..AtValue::new(value, Vec::new()) }
@@ -368,6 +158,10 @@ impl<N, T: Numbers<N>> Numbers<N> for AtValue<T> {
         row.mark = (self.status != Status::Ok).then_some(self.status);
         row.why = self.why.as_deref();
         vec![row]
+    }
+
+    fn columns() -> Vec<Column> {
+        [Column::controlled("value")].into_iter().chain(T::columns()).chain([Column::new("proved")]).collect()
     }
 }
 
@@ -404,77 +198,21 @@ impl<T> List<T> {
     pub(crate) fn complete(self, complete: Completeness) -> Self {
         List { complete: Some(complete), ..self }
     }
-}
 
-/// The events of a path and the balance of its energy, in one arithmetic.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct PathNumbers<N> {
-    pub(crate) events: Vec<PathEvent<N>>,
-    pub(crate) balance: Option<Balance<N>>,
-}
-
-impl<N> Numbers<N> for PathNumbers<N> {
-    type With<M> = PathNumbers<M>;
-
-    fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> PathNumbers<M> {
-        PathNumbers { events: self.events.map_values(f), balance: self.balance.map_values(f) }
+    /// Every item changed.
+    pub(crate) fn map<S>(self, f: impl FnMut(T) -> S) -> List<S> {
+        List { items: self.items.into_iter().map(f).collect(), promise: self.promise, complete: self.complete }
     }
 
-    fn rows(&self) -> Vec<Row<'_, N>> {
-        let mut rows = self.events.rows();
-        rows.extend(self.balance.rows());
-        rows
-    }
-}
-
-/// The loading path as a measurement shows it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ForceCurve {
-    /// The samples, in the order of the path.
-    pub samples: List<ForceSample>,
-    /// Pull-off force, jump-in, minimum force and hysteresis.
-    pub summary: CurveSummary,
-}
-
-/// A loading path.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LoadingPath {
-    /// The events, in their order.
-    pub events: List<PathEvent>,
-    /// The energy balance; `None` if a term of it has no bound, or the path could not be followed to its end.
-    pub balance: Option<Balance>,
-    /// How far the energies can be trusted, where that is less than the rest.
-    pub energy: Option<Promise>,
-}
-
-impl LoadingPath {
-    pub(crate) fn new(promise: Promise, path: PathNumbers<Number>, complete: Completeness) -> Self {
-        let PathNumbers { events, balance } = path;
-        LoadingPath { events: List::new(promise, events).complete(complete), balance, energy: None }
-    }
-
-    /// Takes the energies from another computation of the same path.
-    #[cfg(feature = "mp")]
-    pub(crate) fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
-        for (event, other) in self.events.items.iter_mut().zip(other.events) {
-            event.dissipated = other.dissipated;
+    /// The items of another list after those of this one, with the weaker promise and the weaker claim of completeness.
+    pub(crate) fn and(mut self, other: Self) -> Self {
+        self.items.extend(other.items);
+        if self.promise == Promise::Certified || other.promise == Promise::Double {
+            self.promise = other.promise;
         }
-        LoadingPath { balance: other.balance, energy: Some(promise), ..self }
-    }
-
-    /// Marks the energies of the path as undecided, for the reason `why`.
-    #[cfg(feature = "mp")]
-    pub(crate) fn without_energy(mut self, why: &str) -> Self {
-        let open = || Value::unknown(Status::Undecided, why);
-        // Surfaces that part under a dead load, or come to touch everywhere, have no energy balance.
-        let ends = |event: &PathEvent| {
-            matches!(event.event, EventKind::Detached | EventKind::CompleteContact | EventKind::Undecided)
-        };
-        let is_finite = !self.events.items.iter().any(|event| ends(event) && event.to_indentation.is_none());
-        for event in self.events.items.iter_mut().filter(|event| event.to_force.is_some()) {
-            event.dissipated = Some(Dissipation::Finite(open()));
+        if self.complete.as_ref().is_none_or(|complete| complete.proved) {
+            self.complete = other.complete;
         }
-        let balance = is_finite.then(|| Balance { work: open(), dissipated: open(), stored: open() });
-        LoadingPath { balance, ..self }
+        self
     }
 }

@@ -6,15 +6,6 @@ use super::{Completeness, NumberStyle, Output};
 const MOST_REASONS: usize = 5;
 
 impl Output {
-    /// The results that are no row of the list, in a sentence each: the energy of a path, the summary of a force curve.
-    pub fn sentences(&self, style: &NumberStyle) -> Vec<String> {
-        match self {
-            Output::Path(path) => path.balance.iter().map(|balance| balance.sentence(style)).collect(),
-            Output::ForceCurve(curve) => vec![curve.summary.sentence(style)],
-            _ => Vec::new(),
-        }
-    }
-
     /// All that belongs below its table, a paragraph each: why numbers are missing, its [sentences](Output::sentences),
     /// numbers with a promise of their own, and whether the list is complete.
     pub fn remarks(&self, style: &NumberStyle) -> Vec<String> {

@@ -1,7 +1,8 @@
 //! A critical state as rows of a table.
 
-use super::{CriticalAnswer, CriticalFold, CriticalState};
-use crate::answer::{FlatRow, NumberStyle, Value, columns, find, title};
+use super::CriticalAnswer;
+use crate::Validity;
+use crate::answer::{FlatRow, Fold, NumberStyle, Value, columns, find};
 
 /// A row of the table of critical states: the text below each of [`CriticalRow::COLUMNS`], empty where there is nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,7 +15,7 @@ macro_rules! columns {
             /// The titles, which are keys of the JSON as well.
             pub const COLUMNS: [&str; 24] = [$($title),*];
 
-            fn of($answer: &CriticalAnswer, $state: Option<&CriticalState>, $fold: Option<&CriticalFold>) -> Self {
+            fn of($answer: &CriticalAnswer, $state: Option<&Fold>, $fold: Option<&Fold>) -> Self {
                 CriticalRow([$($text),*])
             }
         }
@@ -36,7 +37,7 @@ columns! { answer, state, fold:
     "work" = answer.inputs.work.to_string(),
     "stiffness" = text(answer.inputs.stiffness.as_ref()),
     "kappa" = answer.kappa.to_string(),
-    "status" = fold.map_or(answer.status, |fold| fold.state.status()).to_string(),
+    "status" = fold.map_or(answer.status, |fold| fold.status()).to_string(),
     "contact_radius" = text(state.map(|state| &state.contact_radius)),
     "indentation" = text(state.map(|state| &state.indentation)),
     "force" = text(state.map(|state| &state.force)),
@@ -89,7 +90,7 @@ impl CriticalAnswer {
     pub fn rows(&self) -> Vec<CriticalRow> {
         match self.folds.as_deref() {
             Some(folds) if !folds.is_empty() => {
-                folds.iter().map(|fold| CriticalRow::of(self, Some(&fold.state), Some(fold))).collect()
+                folds.iter().map(|fold| CriticalRow::of(self, Some(fold), Some(fold))).collect()
             }
             _ => vec![CriticalRow::of(self, self.state.as_ref(), None)],
         }
@@ -139,11 +140,11 @@ pub fn overview(answers: &[CriticalAnswer], style: &NumberStyle) -> Vec<Vec<Stri
     let scale_free = answers.iter().any(|answer| answer.threshold.is_some());
     let shown: Vec<_> = OVERVIEW.iter().filter(|(key, ..)| scale_free || !OF_HALF.contains(key)).collect();
     let own = shown.iter().map(|(_, name, unit, _)| (*name, *unit));
-    let titles = own.chain(added.iter().map(|key| title(key, None)));
+    let titles = own.chain(added.iter().map(|key| Validity::title(key)));
     let mut table = vec![titles.map(|(name, unit)| style.titled(name, unit)).collect()];
     for answer in answers {
         let validity = answer.validity.as_ref().map(|validity| validity.table()).unwrap_or_default();
-        let added = added.iter().map(|key| find(&validity, key).map(|cell| style.cell(cell, title(key, None).1)));
+        let added = added.iter().map(|key| find(&validity, key).map(|cell| style.cell(cell, Validity::title(key).1)));
         let added: Vec<String> = added.map(Option::unwrap_or_default).collect();
         for row in answer.rows() {
             let own = shown.iter().map(|(key, _, unit, is_number)| {

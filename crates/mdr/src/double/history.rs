@@ -6,8 +6,8 @@ use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{self, Dissipation, EventKind, Path, PathEnergy};
 
 use super::{Contact, States, numbers};
+use crate::outputs::path::{changes, is_arrival};
 use crate::run::{Stop, lack};
-use crate::solve;
 
 pub use mdr_numeric::path::Start;
 
@@ -48,6 +48,7 @@ pub struct History {
 
 /// Events, a curve to be drawn, and energy.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct LoadingPath {
     /// The events, in their order.
     pub events: Vec<Event>,
@@ -68,7 +69,7 @@ impl Contact {
             let path = Path::follow(branches, start, values)?;
             let losses = Dissipation::of_each(&path, branches);
             let mut states = States::with_capacity(values.len());
-            for event in path.events.iter().filter(|event| solve::is_arrival(event.kind)).take(values.len()) {
+            for event in path.events.iter().filter(|event| is_arrival(event.kind)).take(values.len()) {
                 let state = State::of(&event.after, control, event.value);
                 let known = !state.contact_radius.is_nan();
                 states.push(state.row(), if known { Status::Ok } else { Status::NoEquilibrium });
@@ -82,7 +83,7 @@ impl Contact {
                 states.push([f64::NAN; 3], end);
             }
             let mut jumps = events(&path, &losses, control)?;
-            jumps.retain(|event| !solve::is_arrival(event.kind));
+            jumps.retain(|event| !is_arrival(event.kind));
             Ok(History { states, jumps })
         })
     }
@@ -151,7 +152,7 @@ impl State {
 fn events(path: &Path<f64>, losses: &[Result<Dissipation<f64>>], control: &Control<f64>) -> Result<Vec<Event>> {
     let described = |(event, loss): (&path::Event<f64>, &Result<Dissipation<f64>>)| {
         let dissipated = match loss {
-            _ if !solve::changes(event.kind) => 0.0,
+            _ if !changes(event.kind) => 0.0,
             Ok(Dissipation::Finite(dissipated)) => dissipated.value,
             Ok(Dissipation::Unbounded) => f64::INFINITY,
             Err(Error::Stopped) => return Err(Error::Stopped),
@@ -179,7 +180,7 @@ fn curve(branches: &SearchedBranches<f64>, events: &[Event], between: usize) -> 
             }
         }
         states.push(event.before);
-        if solve::changes(event.kind) {
+        if changes(event.kind) {
             states.push(event.after);
         }
         last = Some(event.after);

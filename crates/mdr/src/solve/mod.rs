@@ -1,62 +1,70 @@
 //! From a scene to its answer.
 //!
-//! | route | arithmetic | branches from | numbers become |
+//! Each output is asked of a list of [providers](provider::Provider), in their order; what they do for it is said in its
+//! [room](crate::outputs).
+//!
+//! | provider | arithmetic | branches from | numbers become |
 //! |---|---|---|---|
-//! | [`search`] | f64 | a survey of the tangency ratio | doubles |
-//! | [`certified`] | two precisions | the folds of the search, refined | digits on which both agree |
-//! | [`proof`] | intervals | folds isolated on a range of radii | proved digits |
 //! | [`power_law`] | intervals | closed forms, at any scale | proved digits |
+//! | [`proof`] | intervals | folds isolated on a range of radii | proved digits |
+//! | [`certified`] | two precisions | the folds of the search, refined | digits on which both agree |
+//! | [`search`] | f64 | a survey of the tangency ratio | doubles |
 //!
 //! A certified scene is proved where that can be, output by output, and estimated elsewhere; energies and fields of other profiles
-//! than power laws are always estimated.
+//! than power laws are always estimated. A scene in f64 is searched, and what f64 does not hold is proved or estimated in digits.
 
 mod admissible;
 #[cfg(feature = "mp")]
-mod certified;
+pub(crate) mod certified;
 #[cfg(feature = "mp")]
 pub(crate) mod digits;
-mod force_curve;
+mod graded;
 #[cfg(feature = "mp")]
-mod law_path;
+pub(crate) mod law_branches;
+mod media;
 pub(crate) mod model;
 #[cfg(feature = "mp")]
-mod out_of_range;
-mod outputs;
-mod path;
+pub(crate) mod out_of_range;
 #[cfg(feature = "mp")]
-mod power_law;
+pub(crate) mod power_law;
 #[cfg(feature = "mp")]
-mod proof;
+pub(crate) mod proof;
+mod provider;
 #[cfg(feature = "mp")]
 pub(crate) mod refine;
 mod roughness;
-mod sample;
+pub(crate) mod sample;
 pub(crate) mod search;
 pub(crate) mod states;
-mod summary;
-mod undecided;
 mod unused;
 mod weight;
 
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use mdr_core::contact;
+use mdr_core::contact::{self, Edge};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
 
+#[cfg(feature = "mp")]
+use self::certified::Certified;
 use self::model::Model;
+#[cfg(feature = "mp")]
+use self::power_law::PowerLaw;
+use self::provider::Provider;
 use self::search::Search;
-use crate::answer::{Answer, Output, OutputKind};
+use crate::answer::{Answer, Output};
 use crate::error::{Error, Result};
+use crate::outputs::room::Open;
 use crate::run::{Cost, Counts, Run, Stop};
-use crate::scene::{Scene, Start, Want};
+#[cfg(feature = "mp")]
+use crate::scene::Arithmetic;
+use crate::scene::{Medium, Scene, Start, Want};
 use crate::validity;
 
 pub(crate) use admissible::admissibility;
 pub(crate) use model::transform_in_doubles;
-pub(crate) use path::{changes, follow, is_arrival};
 pub(crate) use unused::unused;
 
 /// The answer to a scene that has been checked.
@@ -78,7 +86,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
             return Err(Error::Stopped);
         }
         let output = match output.map_err(|error| solver.doubted(want, error)) {
-            Err(error) if undecided::is_open(&error) => undecided::output(scene, want, &error),
+            Err(error) if is_open(&error) => want.room().undecided(&Open::new(scene, &error)),
             output => output.map_err(|error| solver.complaint(want, error))?,
         };
         let evaluations = std::array::from_fn(|index| counts[index].read() - before[index]);
@@ -93,6 +101,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     let validity = validity::of(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver.search().ok()));
+    notes.extend(media::note(scene, &outputs));
     let has_states = scene.has(|kind| !kind.is_of_profile());
     let admissibility = if has_states { solver.admissibility().map(|known| known.basis()) } else { None };
     if run.stop.is_stopped() {
@@ -101,6 +110,8 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     Ok(Answer {
         arithmetic: scene.arithmetic,
         profile: scene.profile.name(),
+        medium: (!scene.medium.is_half_space()).then(|| scene.medium.name()),
+        force_unit: scene.medium.force_unit(),
         control: scene.names_control().then(|| scene.control.kind()),
         notes,
         outputs,
@@ -112,8 +123,25 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
 
 /// How many rows an output has at least, by what is given.
 fn rows(scene: &Scene, want: &Want) -> usize {
-    let way = if matches!(want.kind(), OutputKind::Path | OutputKind::ForceCurve) { scene.path.len() } else { 0 };
+    let way = if want.kind().moves() { scene.path.len() } else { 0 };
     want.rows().max(way)
+}
+
+/// Whether an error is that of one output, with which no input is wrong.
+fn is_open(error: &contact::Error) -> bool {
+    matches!(
+        error,
+        contact::Error::NoConvergence { .. }
+            | contact::Error::Undecided { .. }
+            | contact::Error::Unproved { .. }
+            | contact::Error::BudgetSpent { .. }
+    )
+}
+
+/// No provider has an output, which is no fault of the scene.
+fn unanswered() -> contact::Error {
+    let what = "an output for which there is no way to compute it";
+    contact::Error::Undecided { quantity: contact::Quantity::ContactRadius, bits: f64::MANTISSA_DIGITS, what }
 }
 
 /// What is computed when something needs it, and once.
@@ -138,11 +166,32 @@ pub(crate) fn drawn<T>(
     octaves: i64,
     draw: impl FnOnce(&Model<f64>, &SearchedBranches<f64>) -> contact::Result<T>,
 ) -> Result<T> {
+    if let Medium::Periodic { .. } = scene.medium {
+        return Err(scene.places.of("medium").refuse("a drawing of a periodic contact is not available; take `curve`"));
+    }
     let counts = Stop::default().counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
     let branches = states::branches(&model, folds, octaves);
     draw(&model, &branches).map_err(|error| solver.complaint(&Want::Path, error))
+}
+
+/// The branches of an advancing and of a receding edge in f64, `octaves` beyond their folds, for a drawing.
+pub(crate) fn drawn_between<T>(
+    scene: &Scene,
+    octaves: i64,
+    draw: impl FnOnce(&Model<f64>, [&SearchedBranches<f64>; 2]) -> contact::Result<T>,
+) -> Result<T> {
+    let counts = Stop::default().counts();
+    let of = |edge: Edge| {
+        let scene = scene.at(edge);
+        let solver = Solver::new(&scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+        let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
+        Ok::<_, Error>((states::branches(&model, folds, octaves), model))
+    };
+    let [(advancing, _), (receding, model)] = [of(Edge::Advancing)?, of(Edge::Receding)?];
+    let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+    draw(&model, [&advancing, &receding]).map_err(|error| solver.complaint(&Want::Path, error))
 }
 
 /// A scene in the arithmetic that it asks for.
@@ -155,7 +204,7 @@ struct Solver<'s> {
 enum Route<'s> {
     Search(Box<Search<'s>>),
     #[cfg(feature = "mp")]
-    Certified(Box<certified::Certified<'s>>),
+    Certified(Box<Certified<'s>>),
 }
 
 impl<'s> Solver<'s> {
@@ -163,40 +212,71 @@ impl<'s> Solver<'s> {
         let route = match scene.arithmetic {
             #[cfg(feature = "mp")]
             crate::scene::Arithmetic::Certified { digits } => {
-                Route::Certified(Box::new(certified::Certified::new(scene, digits, counts)))
+                Route::Certified(Box::new(Certified::new(scene, digits, counts)))
             }
             _ => Route::Search(Box::new(Search::new(scene, counts)?)),
         };
         Ok(Solver { scene, counts, route })
     }
 
-    #[cfg(not(feature = "mp"))]
+    /// An output, without depths where the medium has none.
     fn output(&self, want: &Want) -> contact::Result<Output> {
-        let Route::Search(search) = &self.route;
-        search.output(want)
+        let output = self.output_of(want)?;
+        Ok(match self.scene.medium {
+            Medium::Plane { reference: None } => media::without_depth(output),
+            _ => output,
+        })
     }
 
-    #[cfg(feature = "mp")]
-    fn output(&self, want: &Want) -> contact::Result<Output> {
-        let law = if want.kind().is_of_profile() { None } else { power_law::PowerLaw::of(self.scene)? };
-        if let Some(output) = law.as_ref().map_or(Ok(None), |law| law.output(want))? {
-            return Ok(output);
+    /// The output; with two works of adhesion made of those at each, unless it follows the path between them.
+    ///
+    /// # Errors
+    /// Errors of the transform, of the quadratures and of the proofs; a decision that no precision makes.
+    fn output_of(&self, want: &Want) -> contact::Result<Output> {
+        if !self.scene.has_two_works() || want.kind().is_of_profile() || want.kind().moves() {
+            return self.output_of_one(want);
         }
-        let output = match &self.route {
-            Route::Search(search) => match search.output(want) {
-                Err(contact::Error::OutOfRange { .. }) => out_of_range::output(self.scene, want, self.counts),
-                Ok(output) if out_of_range::lost_numbers(&output) => {
-                    out_of_range::output(self.scene, want, self.counts)
-                }
-                output => output,
-            },
-            Route::Certified(certified) => certified.output(want),
+        let of = |edge: Edge| {
+            let scene = self.scene.at(edge);
+            Solver::new(&scene, self.counts)?.output_of_one(want)
         };
-        match (law, output) {
-            (Some(law), Ok(output)) => law.checked(output, want.values()),
-            (Some(law), Err(error)) => Err(law.doubted(error)),
-            (None, output) => output,
+        want.room().of_edges([of(Edge::Advancing)?, of(Edge::Receding)?]).ok_or_else(unanswered)
+    }
+
+    #[cfg(not(feature = "mp"))]
+    fn output_of_one(&self, want: &Want) -> contact::Result<Output> {
+        let Route::Search(search) = &self.route;
+        Provider::Search(search).output(&*want.room())?.ok_or_else(unanswered)
+    }
+
+    /// The output of the first provider that has it, in the arithmetic of the scene.
+    #[cfg(feature = "mp")]
+    fn output_of_one(&self, want: &Want) -> contact::Result<Output> {
+        let room = want.room();
+        let law = if want.kind().is_of_profile() { None } else { PowerLaw::of(self.scene)? };
+        let beyond;
+        let others = match &self.route {
+            Route::Certified(certified) => vec![Provider::Proof(certified), Provider::Estimate(certified)],
+            Route::Search(search) => {
+                beyond = Certified::new(self.scene, out_of_range::DIGITS, self.counts);
+                vec![Provider::Search(search), Provider::Proof(&beyond), Provider::Estimate(&beyond)]
+            }
+        };
+        for provider in law.iter().map(Provider::Law).chain(others) {
+            let found = match (provider.output(&*room), &law, provider) {
+                (found, None, _) | (found, _, Provider::Law(_)) => found?,
+                (Ok(found), Some(law), _) => found.map(|output| room.confirmed(output, law)).transpose()?,
+                (Err(error), Some(law), _) => return Err(law.doubted(error)),
+            };
+            match (found, self.scene.arithmetic, provider) {
+                (None, ..) => {}
+                (Some(output), Arithmetic::Certified { .. }, _) | (Some(output), _, Provider::Search(_)) => {
+                    return Ok(output);
+                }
+                (Some(output), Arithmetic::Double, _) => return Ok(out_of_range::in_doubles(output)),
+            }
         }
+        Err(unanswered())
     }
 
     /// The contact in f64 with all its folds, in SI units.
@@ -240,11 +320,10 @@ impl<'s> Solver<'s> {
 
     /// Where a path cannot start but the search was not resolved everywhere, it is not known whether it can.
     fn doubted(&self, want: &Want, error: contact::Error) -> contact::Error {
-        let moves = matches!(want.kind(), OutputKind::Path | OutputKind::ForceCurve);
         let contact::Error::NoEquilibrium { quantity, .. } = error else { return error };
         let doubtful =
             || self.search().and_then(Search::folds).map(|folds| folds.completeness == SearchQuality::Doubtful);
-        if !moves || self.scene.start == Start::Detached || !doubtful().unwrap_or(true) {
+        if !want.kind().moves() || self.scene.start == Start::Detached || !doubtful().unwrap_or(true) {
             return error;
         }
         let what = "whether there is an equilibrium to start from: the search for folds was not resolved everywhere";
@@ -255,7 +334,7 @@ impl<'s> Solver<'s> {
     fn complaint(&self, want: &Want, error: contact::Error) -> Error {
         let places = &self.scene.places;
         match error {
-            contact::Error::NoEquilibrium { .. } if want.kind() == OutputKind::Path => {
+            contact::Error::NoEquilibrium { .. } if want.room().needs_start() => {
                 places.read_at("control.start").unwrap_or_else(|| places.of("control")).refuse(self.no_start())
             }
             // All that is left to do in certified digits was done.

@@ -1,38 +1,12 @@
 //! Results beyond the range of f64: computed in certified digits, rounded to the nearest double where there is one, and
 //! marked with log10 where there is none.
 
-use mdr_core::contact::Result;
 use mdr_core::number::Decimal;
 
-use super::certified::Certified;
-use crate::answer::{Number, Output, Promise, TransformSample, Value};
-use crate::run::Counts;
-use crate::scene::{Scene, Want};
+use crate::answer::{Number, Output, Promise, Value};
 
 /// More than fix the nearest double.
-pub(super) const DIGITS: u32 = 25;
-
-/// Whether a transform in f64 has lost numbers to the ends of the range: zeros beside numbers that are none, and numbers below
-/// the smallest normal double. A sample of zeros is a flat face.
-pub(super) fn lost_numbers(output: &Output) -> bool {
-    let Output::Transform(list) = output else { return false };
-    let dissipated = |sample: &TransformSample| {
-        let values = [&sample.g, &sample.slope, &sample.integral];
-        let known: Vec<f64> = values.iter().filter_map(|value| value.number().map(Number::to_f64)).collect();
-        let small = known.iter().filter(|x| x.abs() < f64::MIN_POSITIVE).count();
-        let unknown_magnitude = |value: &&Value| value.log10().is_some_and(|log10| !log10.is_finite());
-        small > 0 && small < known.len() || values.iter().any(unknown_magnitude)
-    };
-    list.items.iter().any(dissipated)
-}
-
-/// The output in doubles, with the status and log10 of each number that is none.
-///
-/// # Errors
-/// Errors of the transform, of the quadratures and of the proofs.
-pub(super) fn output(scene: &Scene, want: &Want, counts: &Counts) -> Result<Output> {
-    Ok(in_doubles(Certified::new(scene, DIGITS, counts).output(want)?))
-}
+pub(crate) const DIGITS: u32 = 25;
 
 /// An output in decimals, rounded to doubles.
 pub(super) fn in_doubles(output: Output) -> Output {

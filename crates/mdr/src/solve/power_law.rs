@@ -1,36 +1,38 @@
-//! Power laws by their own closed forms: folds, equilibria, paths and energies, all proved, on all radii and at any scale.
+//! The closed forms of a power law for the outputs that have one: all proved, on all radii and at any scale.
 
 use mdr_analytic::certified::{Curve, Elasticity, Point, Question};
-use mdr_core::contact::{self, Control, ControlKind, Error, FoldKind, Quantity, Regime, Result, Stability};
+use mdr_core::contact::{self, ControlKind, Edge, Error, Result, Stability};
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Literal, Precision};
-use mdr_numeric::admissible::Verdict;
+use mdr_core::number::{Interval, Literal, Precision};
+use mdr_numeric::path::{ContactState, Path, Start};
 use rug::Rational;
 
 use super::digits::decide;
-use super::law_path;
+use super::law_branches::LawBranches;
 use super::out_of_range;
 use crate::answer::record::Numbers;
-use crate::answer::types::PathNumbers;
-use crate::answer::{
-    Admission, AtValue, Completeness, EnergyState, Equilibrium, Fold, List, LoadingPath, Number, Output, Promise, Value,
-};
-use crate::scene::{Arithmetic, Scene, Want, exactly};
+use crate::answer::{AtValue, Completeness, Number, PlainState};
+use crate::scene::{Arithmetic, Scene, exactly};
 
 /// A power law with rational constants, how it is held, and the numbers of its scene in the arithmetic of the answer: as they
 /// are written, or the doubles nearest to them.
-pub(super) struct PowerLaw<'s> {
-    pub(super) scene: &'s Scene,
-    pub(super) question: Question,
-    pub(super) digits: u32,
+pub(crate) struct PowerLaw<'s> {
+    pub(crate) scene: &'s Scene,
+    pub(crate) question: Question,
+    pub(crate) digits: u32,
 }
 
 impl<'s> PowerLaw<'s> {
-    /// `None` if the profile is another one.
+    /// `None` if the profile or the medium is another one, with two works of adhesion, and for an edge without adhesion.
     ///
     /// # Errors
     /// An input out of its domain; see [`Question::new`].
-    pub(super) fn of(scene: &'s Scene) -> Result<Option<Self>> {
+    pub(crate) fn of(scene: &'s Scene) -> Result<Option<Self>> {
+        let no_adhesion =
+            scene.edge == Some(Edge::Advancing) && scene.works.as_ref().is_some_and(|works| works[0].is_zero());
+        if !scene.pressed_into().is_half_space() || scene.has_two_works() || no_adhesion {
+            return Ok(None);
+        }
         let as_meant = |literal: &Literal| number(scene, literal);
         let Some([exponent, coefficient]) = scene.profile.exact_power_law(as_meant) else { return Ok(None) };
         let literal = |input: &Literal| exactly(&as_meant(input)).unwrap_or_else(|| input.clone());
@@ -45,37 +47,16 @@ impl<'s> PowerLaw<'s> {
         Ok(Some(PowerLaw { scene, question, digits }))
     }
 
-    /// The output by closed forms; `None` for outputs at given radii.
-    ///
-    /// # Errors
-    /// A decision that no precision makes; see [`Question::answer`], [`Question::curve`] and [`law_path::events`].
-    pub(super) fn output(&self, want: &Want) -> Result<Option<Output>> {
-        const PROVED: Promise = Promise::Certified;
-        let output = match want {
-            Want::Folds { .. } => Output::Folds(List::new(PROVED, self.folds()?).complete(complete())),
-            Want::Equilibria { at } => Output::Equilibria(List::new(PROVED, self.equilibria(at)?).complete(complete())),
-            Want::Path => Output::Path(Box::new(LoadingPath::new(PROVED, self.path()?, complete()))),
-            Want::Energy { states } => Output::Energy(List::new(PROVED, self.energies(states)?)),
-            Want::Transform { .. }
-            | Want::ForceCurve { .. }
-            | Want::Curve { .. }
-            | Want::Pressure { .. }
-            | Want::Gap { .. }
-            | Want::Displacement { .. } => return Ok(None),
-        };
-        Ok(Some(match self.scene.arithmetic {
-            Arithmetic::Certified { .. } => output,
-            Arithmetic::Double => out_of_range::in_doubles(output),
-        }))
-    }
-
     /// A number of the scene.
-    pub(super) fn number(&self, literal: &Literal) -> Rational {
+    pub(crate) fn number(&self, literal: &Literal) -> Rational {
         number(self.scene, literal)
     }
 
     /// The equilibria; in f64 a double next to the value of a fold is that of the fold.
-    fn curve(&self, precision: Precision) -> Result<Curve> {
+    ///
+    /// # Errors
+    /// See [`Question::curve`].
+    pub(crate) fn curve(&self, precision: Precision) -> Result<Curve> {
         let curve = self.question.curve(precision)?;
         Ok(match self.scene.arithmetic {
             Arithmetic::Certified { .. } => curve,
@@ -86,69 +67,31 @@ impl<'s> PowerLaw<'s> {
         })
     }
 
-    /// Correctly rounded folds.
-    fn folds(&self) -> Result<Vec<Fold>> {
-        let answer = self.question.answer(self.digits)?;
-        let kind = match answer.regime {
-            Regime::CompleteContact => FoldKind::Maximum,
-            _ => FoldKind::Minimum,
-        };
-        let folds = match &self.scene.control {
-            Control::Machine { .. } => answer.folds,
-            _ => answer
-                .critical
-                .map(|c| contact::Fold {
-                    contact_radius: c.contact_radius,
-                    indentation: c.indentation,
-                    force: c.force,
-                    kind,
-                })
-                .into_iter()
-                .collect(),
-        };
-        let written = |fold| Fold::new(fold, Verdict::Admissible).convert(Number::Certified);
-        Ok(folds.into_iter().map(written).collect())
-    }
-
-    fn equilibria(&self, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium>>> {
-        self.at_values(values, |curve, point, value| {
-            Ok(Equilibrium::new(self.state(curve, point, Some(value)), Verdict::Admissible))
-        })
-    }
-
-    /// Π and dF/dd of each equilibrium at the values, else of that in which the path starts.
-    fn energies(&self, values: &[Literal]) -> Result<Vec<AtValue<EnergyState>>> {
+    /// The record of every equilibrium at the values; without values, of that in which the path starts.
+    ///
+    /// # Errors
+    /// A decision on the start that no precision makes.
+    pub(crate) fn described<T: Numbers<Enclosure>>(
+        &self,
+        values: &[Literal],
+        describe: impl Fn(&Curve, &Point, &Rational) -> Result<T>,
+    ) -> Result<Vec<AtValue<T::With<Number>>>> {
         match (values, self.scene.path.first()) {
             ([], Some(first)) => decide(self.digits, |precision| {
                 let (curve, value) = (self.curve(precision)?, self.number(first));
-                let start = law_path::start(self, &curve, first)?;
-                let states = start.iter().map(|point| self.energy(&curve, point, &value));
+                let start = self.start(&curve, first)?;
+                let states = start.iter().map(|point| describe(&curve, point, &value));
                 Ok(vec![AtValue::new(first, states.collect::<Result<_>>()?)])
             }),
-            _ => self.at_values(values, |curve, point, value| self.energy(curve, point, value)),
+            _ => self.at_values(values, describe),
         }
     }
 
-    fn energy(&self, curve: &Curve, point: &Point, value: &Rational) -> Result<EnergyState<Enclosure>> {
-        let at_fold = || {
-            let requirement = "off the fold of the indentation";
-            Error::domain(Quantity::ContactRadius, &point.radius().interval(), requirement)
-        };
-        let stationary = self.scene.control == Control::Indentation && self.question.is_fold_of_force(value);
-        let stiffness = match curve.stiffness(point) {
-            Some(_) if stationary => Ok(Rational::new().into()),
-            stiffness => stiffness.map(|stiffness| stiffness.enclosure()).ok_or_else(at_fold),
-        };
-        Ok(EnergyState {
-            state: self.state(curve, point, Some(value)).into(),
-            energy: Value::Known(curve.energy(point).enclosure()),
-            stiffness: Value::from_result(stiffness)?,
-            admissible: Admission::Admissible,
-        })
-    }
-
-    /// The records of every equilibrium at values.
-    fn at_values<T: Numbers<Enclosure>>(
+    /// The record of every equilibrium at values; a value at which they stay open is undecided.
+    ///
+    /// # Errors
+    /// Errors of the closed forms.
+    pub(crate) fn at_values<T: Numbers<Enclosure>>(
         &self,
         values: &[Literal],
         describe: impl Fn(&Curve, &Point, &Rational) -> Result<T>,
@@ -169,27 +112,37 @@ impl<'s> PowerLaw<'s> {
         values.iter().map(at).collect()
     }
 
-    /// Fields of states that were searched in f64: where these are not all there are, the value says so.
+    /// Which state a path takes at its first way point.
+    pub(crate) fn begin(&self, branches: &LawBranches<'_>) -> Start<Interval> {
+        self.scene.start.map(|radius| branches.enclose(&self.number(radius)))
+    }
+
+    /// The equilibrium in which a path starts; `None` if it cannot start, or if the surfaces are apart.
+    fn start(&self, curve: &Curve, first: &Literal) -> Result<Option<Point>> {
+        let value = self.number(first);
+        let branches = LawBranches::new(curve, vec![value.clone()]);
+        match Path::first(&branches, &self.begin(&branches), &branches.enclose(&value)) {
+            Ok(ContactState::Contact(rest)) => Ok(Some(branches.at(&value, &rest)?.point().clone())),
+            Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// How many equilibria there are at each value; without values, at the start of the path.
     ///
     /// # Errors
-    /// A decision that no precision makes; see [`PowerLaw::output`].
-    pub(super) fn checked(&self, output: Output, values: &[Literal]) -> Result<Output> {
-        let Output::Field(field, mut list) = output else { return Ok(output) };
-        let known = PowerLaw { digits: 1, question: self.question.clone(), ..*self }.energies(values)?;
-        let what = "the contact radius of a state, which is beyond the range of f64, where states are searched";
-        let error = Error::Undecided { quantity: Quantity::ContactRadius, bits: f64::MANTISSA_DIGITS, what };
-        for (item, known) in list.items.iter_mut().zip(known) {
-            if item.items.len() != known.items.len() {
-                *item = AtValue::open(&known.value, &error);
-            }
-        }
-        Ok(Output::Field(field, list))
+    /// A decision on the start that no precision makes.
+    pub(crate) fn counts_at(&self, values: &[Literal]) -> Result<Vec<(Literal, usize)>> {
+        let roughly = PowerLaw { digits: 1, question: self.question.clone(), ..*self };
+        let known = roughly
+            .described(values, |curve, point, value| Ok(PlainState::from(roughly.state(curve, point, Some(value)))))?;
+        Ok(known.into_iter().map(|at| (at.value, at.items.len())).collect())
     }
 
     /// A start of the path that f64 does not find exists where the closed forms have it.
-    pub(super) fn doubted(&self, error: Error) -> Error {
+    pub(crate) fn doubted(&self, error: Error) -> Error {
         let Error::NoEquilibrium { quantity, .. } = error else { return error };
-        let start = |first: &Literal| law_path::start(self, &self.curve(super::digits::start(self.digits))?, first);
+        let start = |first: &Literal| self.start(&self.curve(super::digits::start(self.digits))?, first);
         match self.scene.path.first().map(start) {
             Some(Ok(None)) | None => error,
             Some(_) => {
@@ -200,12 +153,8 @@ impl<'s> PowerLaw<'s> {
         }
     }
 
-    fn path(&self) -> Result<PathNumbers<Number>> {
-        decide(self.digits, |precision| law_path::events(self, &self.curve(precision)?))
-    }
-
     /// The numbers of a state, of which the one that is controlled is exactly `value`, and that of a cone at its fold is exact.
-    pub(super) fn state(
+    pub(crate) fn state(
         &self,
         curve: &Curve,
         point: &Point,
@@ -229,7 +178,7 @@ impl<'s> PowerLaw<'s> {
 }
 
 /// All, on all radii.
-fn complete() -> Completeness {
+pub(crate) fn complete() -> Completeness {
     Completeness { proved: true, from: Some("0".to_owned()), to: None, why: "closed form of a power law".to_owned() }
 }
 

@@ -4,22 +4,21 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Fold, Result, Status};
-use mdr_core::number::Literal;
+use mdr_core::contact::{Edge, Fold, Result, Status};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::folds::{self, Folds, OutOfRangeFold, SearchQuality};
 
 use super::model::Model;
 use super::states::States;
-use super::{Once, admissible, once, outputs, sample};
+use super::{Once, admissible, once};
 use crate::answer::record::Numbers;
-use crate::answer::{Completeness, Field, List, LoadingPath, Number, Output, Promise, Value};
+use crate::answer::{Completeness, List, Number, Promise, Value};
 use crate::run::Counts;
-use crate::scene::{Scene, Want};
+use crate::scene::Scene;
 
 /// The contact in f64; its folds are searched when something needs them, and once.
 pub(crate) struct Search<'s> {
-    scene: &'s Scene,
+    pub(crate) scene: &'s Scene,
     pub(crate) model: Model<f64>,
     folds: Once<Folds<f64>>,
     admissibility: OnceCell<Arc<Admissibility>>,
@@ -47,6 +46,11 @@ impl<'s> Search<'s> {
         Search { scene, model, folds: OnceCell::new(), admissibility: OnceCell::new(), radii_suffice }
     }
 
+    /// The contact at the work of adhesion of one edge; `scene` is that of the edge.
+    pub(crate) fn at<'t>(&self, scene: &'t Scene, edge: Edge) -> Search<'t> {
+        Search::with(scene, self.model.at(edge), self.radii_suffice)
+    }
+
     /// The admissible states: searched when they are needed, and once, around the folds that were found.
     pub(crate) fn admissibility(&self) -> Arc<Admissibility> {
         let search = || {
@@ -56,7 +60,7 @@ impl<'s> Search<'s> {
                 folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
             let length = self.model.contact().material_length();
             let transform = Arc::clone(self.model.contact().shared_transform());
-            Arc::new(admissible::admissibility(&self.scene.profile, transform, length, &radii))
+            Arc::new(admissible::of_scene(self.scene, transform, length, &radii))
         };
         Arc::clone(self.admissibility.get_or_init(search))
     }
@@ -79,67 +83,24 @@ impl<'s> Search<'s> {
         })
     }
 
+    /// The equilibria around the folds.
+    ///
     /// # Errors
-    /// Errors of the transform and of the quadratures.
-    pub(crate) fn output(&self, want: &Want) -> Result<Output> {
-        let field = |field, states: &[Literal], at: &[Literal]| {
-            Ok(Output::Field(field, list(self.states()?.fields(self.scene, field, states, at)?)))
-        };
-        Ok(match want {
-            Want::Transform { at } => {
-                Output::Transform(list(outputs::transform(&self.model, at)?.convert(Estimate::exact)))
-            }
-            Want::Folds { .. } => {
-                let judged = |fold: &Fold<f64>| outputs::fold(fold.clone(), &self.admissibility());
-                let folds: Vec<_> = self.folds()?.folds.iter().map(judged).collect();
-                Output::Folds(list(folds.convert(Estimate::exact)).complete(self.completeness()?))
-            }
-            Want::Curve { at } => {
-                let radii = if at.is_empty() { &self.radii()? } else { at };
-                let points = outputs::curve(&self.model, radii, &self.admissibility())?;
-                Output::Curve(list(points.convert(Estimate::exact)))
-            }
-            Want::Equilibria { at } => {
-                Output::Equilibria(list(self.states()?.equilibria(at)?).complete(self.completeness()?))
-            }
-            Want::Path => {
-                let path = doubles(self.states()?.path(self.scene)?);
-                Output::Path(Box::new(LoadingPath::new(Promise::Double, path, self.completeness()?)))
-            }
-            Want::Pressure { states, at } => return field(Field::Pressure, states, at),
-            Want::Gap { states, at } => return field(Field::Gap, states, at),
-            Want::Displacement { states, at } => return field(Field::Displacement, states, at),
-            Want::ForceCurve { points } => {
-                Output::ForceCurve(Box::new(self.states()?.force_curve(self.scene, *points as usize)?))
-            }
-            Want::Energy { states } => Output::Energy(list(self.states()?.energies(self.scene, states)?)),
-        })
+    /// Errors of the transform at a fold; see [`folds::find`].
+    pub(crate) fn states(&self) -> Result<States<'_, f64>> {
+        Ok(States::new(self.scene, &self.model, self.folds()?.clone(), self.admissibility()))
     }
 
-    fn states(&self) -> Result<States<'_, f64>> {
-        Ok(States::new(&self.model, self.folds()?.clone(), self.admissibility()))
-    }
-
-    /// The contact radii to which the path of the scene leads, and those of the equilibria at its values, as far as they are
-    /// found, and if the scene requests any.
+    /// The contact radii to which the outputs of the scene lead, as far as they are found.
     #[cfg(feature = "mp")]
     pub(crate) fn visited(&self) -> Vec<f64> {
-        let wants = &self.scene.wants;
-        let moves = wants.contains(&Want::Path);
-        let values = wants.iter().find(|want| want.kind() == crate::answer::OutputKind::Equilibria).map(Want::values);
-        match self.states() {
-            Ok(states) if moves || values.is_some() => {
-                states.visited(moves.then_some(self.scene), values.unwrap_or_default())
-            }
-            _ => Vec::new(),
-        }
+        self.scene.wants.iter().flat_map(|want| want.room().visited(self)).collect()
     }
 
-    /// The contact radii of `curve` where the scene names none.
-    pub(crate) fn radii(&self) -> Result<Vec<Literal>> {
-        sample::radii(&self.model, self.folds()?)
-    }
-
+    /// Whether the search for folds found them all, as far as it knows.
+    ///
+    /// # Errors
+    /// Errors of the transform at a fold; see [`folds::find`].
     pub(crate) fn completeness(&self) -> Result<Completeness> {
         Ok(match self.folds()?.completeness {
             SearchQuality::Resolved => not_proved("searched over all radii in f64"),
@@ -153,17 +114,25 @@ pub(crate) fn not_proved(why: &str) -> Completeness {
     Completeness { proved: false, from: None, to: None, why: why.to_owned() }
 }
 
-fn list<T: Numbers<Estimate<f64>>>(records: Vec<T>) -> List<T::With<Number>> {
+/// A list of doubles, each marked where it is out of range.
+pub(crate) fn list<T: Numbers<f64>>(records: Vec<T>) -> List<T::With<Number>> {
+    List::new(Promise::Double, records.resolve(double))
+}
+
+/// A list of doubles, without their errors.
+pub(crate) fn estimates<T: Numbers<Estimate<f64>>>(records: Vec<T>) -> List<T::With<Number>> {
     List::new(Promise::Double, doubles(records))
 }
 
 /// Doubles as they are printed; one that is no number is out of range.
 pub(crate) fn doubles<T: Numbers<Estimate<f64>>>(records: T) -> T::With<Number> {
-    records.resolve(|Estimate { value, .. }| {
-        if value.is_finite() {
-            Value::Known(Number::Double(value))
-        } else {
-            Value::Unknown { status: Status::Overflow, log10: None, why: None }
-        }
-    })
+    records.resolve(|Estimate { value, .. }| double(value))
+}
+
+fn double(value: f64) -> Value {
+    if value.is_finite() {
+        Value::Known(Number::Double(value))
+    } else {
+        Value::Unknown { status: Status::Overflow, log10: None, why: None }
+    }
 }

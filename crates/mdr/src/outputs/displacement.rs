@@ -1,0 +1,39 @@
+//! The output `displacement`: the normal displacement of the surface of states, outside the contact.
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::Result;
+use mdr_core::number::Literal;
+use mdr_numeric::fields::Fields;
+
+use super::fields::{Field, FieldRoom, FieldState, OUTSIDE, estimate};
+use super::key::Key;
+use super::room::{Facts, Subject, not_wanted};
+use super::{Output, Want};
+use crate::answer::{AtValue, List};
+use crate::solve::model::SceneReal;
+
+pub(super) const FACTS: Facts = Facts {
+    of: Subject::States,
+    key: Some(Key::Radii(|value, unit| value.positive(unit))),
+    question: |keys, kind| Want::Displacement { states: keys.values.clone(), at: keys.radii(kind) },
+    unused: not_wanted,
+};
+
+pub(super) struct Room<'w> {
+    pub(super) states: &'w [Literal],
+    pub(super) at: &'w [Literal],
+}
+
+impl<'w> FieldRoom<'w> for Room<'w> {
+    const FIELD: Field = Field::Displacement;
+    const OUTPUT: fn(List<AtValue<FieldState>>) -> Output = Output::Displacement;
+    const FRACTIONS: [(i64, i64); 6] = OUTSIDE;
+
+    fn question(&self) -> [&'w [Literal]; 2] {
+        [self.states, self.at]
+    }
+
+    fn value<R: SceneReal>(fields: &Fields<R>, r: &R) -> Result<Estimate<R>> {
+        estimate(fields.displacement_estimate(r), || fields.displacement(r))
+    }
+}

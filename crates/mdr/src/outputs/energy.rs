@@ -1,0 +1,118 @@
+//! The output `energy`: potential energy and stiffness of states.
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::Result;
+use mdr_core::number::Literal;
+use mdr_numeric::energy::Energy;
+use mdr_numeric::fields::Fields;
+#[cfg(feature = "mp")]
+use {
+    mdr_analytic::certified::{Curve, Point},
+    mdr_core::contact::{Control, Error, Quantity},
+    mdr_core::number::certify::Enclosure,
+    rug::Rational,
+};
+
+use super::room::{Facts, Open, Room as IsRoom, Subject, not_wanted};
+use super::{Output, Want};
+use crate::answer::record::{Numbers, record};
+use crate::answer::{Admission, AtValue, PlainState, Value};
+use crate::solve::model::SceneReal;
+use crate::solve::search::{self, Search};
+use crate::solve::states::States;
+#[cfg(feature = "mp")]
+use crate::{
+    answer::{List, Promise},
+    solve::{certified::Certified, power_law::PowerLaw},
+};
+
+record! {
+    /// The energy of a state.
+    EnergyState {
+        /// The state.
+        state: PlainState<N>,
+        /// The potential energy Π of (1.10).
+        energy: Value<N> = "energy" in "J",
+        /// dF/dd along the equilibria, in N/m.
+        stiffness: Value<N> = "stiffness" in "N/m",
+        /// Whether the state is admissible.
+        admissible: Admission<N>,
+    }
+}
+
+pub(super) const FACTS: Facts = Facts {
+    of: Subject::States,
+    key: None,
+    question: |keys, _| Want::Energy { states: keys.values.clone() },
+    unused: not_wanted,
+};
+
+pub(super) struct Room<'w> {
+    pub(super) states: &'w [Literal],
+}
+
+impl<'w> IsRoom<'w> for Room<'w> {
+    fn values(&self) -> &'w [Literal] {
+        self.states
+    }
+
+    #[cfg(feature = "mp")]
+    fn by_law(&self, law: &PowerLaw<'_>) -> Result<Option<Output>> {
+        let items = law.described(self.states, |curve, point, value| of_law(law, curve, point, value))?;
+        Ok(Some(Output::Energy(List::new(Promise::Certified, items))))
+    }
+
+    #[cfg(feature = "mp")]
+    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
+        let items = certified.estimated_at(self.states, &|states, values| energies(states, values))?;
+        Ok(Output::Energy(List::new(Promise::Estimated, items)))
+    }
+
+    fn searched(&self, search: &Search<'_>) -> Result<Output> {
+        Ok(Output::Energy(search::estimates(energies(&search.states()?, self.states)?)))
+    }
+
+    fn undecided(&self, open: &Open<'_>) -> Output {
+        Output::Energy(open.at_values(self.states))
+    }
+}
+
+/// Energy and stiffness of every equilibrium at the values, or at the start of the path.
+///
+/// # Errors
+/// Errors that concern more than one value.
+fn energies<R: SceneReal>(
+    states: &States<'_, R>,
+    values: &[Literal],
+) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
+    states.described(values, |state| {
+        let fields = Fields::of(states.model.contact(), &state)?;
+        let energy = Energy::new(states.model.contact())?;
+        let potential = energy.potential(&state.contact_radius, &state.indentation);
+        let admissible = Admission::of(states.verdict(&state));
+        let energy = Value::from_result(potential)?;
+        let stiffness = Value::from_result(fields.stiffness())?;
+        Ok(EnergyState { state: states.model.shown(state).into(), energy, stiffness, admissible }
+            .convert(Estimate::exact))
+    })
+}
+
+/// Π and dF/dd of a power law.
+#[cfg(feature = "mp")]
+fn of_law(law: &PowerLaw<'_>, curve: &Curve, point: &Point, value: &Rational) -> Result<EnergyState<Enclosure>> {
+    let at_fold = || {
+        let requirement = "off the fold of the indentation";
+        Error::domain(Quantity::ContactRadius, &point.radius().interval(), requirement)
+    };
+    let stationary = law.scene.control == Control::Indentation && law.question.is_fold_of_force(value);
+    let stiffness = match curve.stiffness(point) {
+        Some(_) if stationary => Ok(Rational::new().into()),
+        stiffness => stiffness.map(|stiffness| stiffness.enclosure()).ok_or_else(at_fold),
+    };
+    Ok(EnergyState {
+        state: law.state(curve, point, Some(value)).into(),
+        energy: Value::Known(curve.energy(point).enclosure()),
+        stiffness: Value::from_result(stiffness)?,
+        admissible: Admission::Admissible,
+    })
+}

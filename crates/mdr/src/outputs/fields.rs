@@ -1,0 +1,203 @@
+//! Quantities along the surface of states: what the outputs `pressure`, `gap` and `displacement` have in common.
+
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{Equilibrium, Result};
+#[cfg(feature = "mp")]
+use mdr_core::contact::{Error, Quantity};
+use mdr_core::named;
+use mdr_core::number::Literal;
+use mdr_numeric::fields::Fields;
+
+use super::Output;
+use super::room::{Open, Room};
+use crate::answer::record::{Numbers, Part, Row};
+use crate::answer::{Admission, AtValue, Cell, Column, List, Number, PlainState, Value};
+use crate::solve::model::SceneReal;
+use crate::solve::search::{self, Search};
+use crate::solve::states::States;
+#[cfg(feature = "mp")]
+use crate::{
+    answer::Promise,
+    solve::{certified::Certified, power_law::PowerLaw},
+};
+
+/// About so many radii of a field the program chooses itself.
+const CHOSEN_RADII: usize = 41;
+/// Radii of a gap or displacement over the contact radius, when the scene names none.
+pub(super) const OUTSIDE: [(i64, i64); 6] = [(101, 100), (11, 10), (5, 4), (3, 2), (2, 1), (4, 1)];
+
+named! {
+    /// A quantity along the surface of a state.
+    pub enum Field {
+        /// The normal pressure within the contact, tension negative.
+        Pressure = "pressure",
+        /// The distance of the surfaces outside the contact.
+        Gap = "gap",
+        /// The normal displacement of the surface outside the contact.
+        Displacement = "displacement",
+    }
+}
+
+/// A field at a radius.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldSample<N = Number> {
+    /// The radius, as the scene gives it, or chosen by the program.
+    pub r: Value<N>,
+    /// The value of the field, in pascals or metres.
+    pub value: Value<N>,
+}
+
+/// A field along the surface of a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldState<N = Number> {
+    /// The state.
+    pub state: PlainState<N>,
+    /// The kind of field.
+    pub field: Field,
+    /// The samples, by the radii of the scene.
+    pub samples: Vec<FieldSample<N>>,
+    /// Whether the state is admissible.
+    pub admissible: Admission<N>,
+}
+
+impl<N> Numbers<N> for FieldState<N> {
+    type With<M> = FieldState<M>;
+
+    fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> FieldState<M> {
+        let FieldState { state, field, samples, admissible } = self;
+        let state = state.map_part(f);
+        let samples = samples.into_iter().map(|FieldSample { r, value }| FieldSample { r: f(r), value: f(value) });
+        let samples = samples.collect();
+        FieldState { state, field, samples, admissible: admissible.map_part(f) }
+    }
+
+    fn rows(&self) -> Vec<Row<'_, N>> {
+        let name = self.field.name();
+        let samples = self.samples.iter();
+        let samples = samples.map(|sample| Row::new().with("r", &sample.r).with(name, &sample.value)).collect();
+        let mut row = Row::new().with("", &self.state);
+        row.cells.push((name, Cell::Rows(samples)));
+        vec![row.with("", &self.admissible)]
+    }
+
+    fn columns() -> Vec<Column> {
+        let unit = |field| if field == Field::Pressure { "Pa" } else { "m" };
+        let of_field = |field: Field| Column::new(field.name()).titled(field.name(), unit(field));
+        let own = [Column::new("r").titled("r", "m")].into_iter().chain(Field::ALL.map(of_field));
+        <PlainState<N> as Numbers<N>>::columns().into_iter().chain(own).collect()
+    }
+}
+
+/// An output that is a field of states.
+pub(super) trait FieldRoom<'w> {
+    const FIELD: Field;
+    const OUTPUT: fn(List<AtValue<FieldState>>) -> Output;
+    /// Radii over the contact radius, when the scene names none.
+    const FRACTIONS: [(i64, i64); 6];
+
+    /// The values of the controlled quantity, and the radii.
+    fn question(&self) -> [&'w [Literal]; 2];
+
+    /// The field at a radius: with its error for digits that are decided by it, settled for doubles.
+    fn value<R: SceneReal>(fields: &Fields<R>, r: &R) -> Result<Estimate<R>>;
+
+    /// Whether a state is admissible.
+    ///
+    /// # Errors
+    /// Errors that concern the whole computation, not one state.
+    fn admission<R: SceneReal>(
+        states: &States<'_, R>,
+        _: &Fields<R>,
+        state: &Equilibrium<R>,
+    ) -> Result<Admission<Estimate<R>>> {
+        Ok(Admission::of(states.verdict(state)))
+    }
+}
+
+impl<'w, F: FieldRoom<'w>> Room<'w> for F {
+    fn values(&self) -> &'w [Literal] {
+        let [states, _] = self.question();
+        states
+    }
+
+    fn rows(&self) -> usize {
+        let [states, at] = self.question();
+        states.len().max(1).saturating_mul(if at.is_empty() { CHOSEN_RADII } else { at.len() })
+    }
+
+    #[cfg(feature = "mp")]
+    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
+        let [states, at] = self.question();
+        let items = certified.estimated_at(states, &|states, values| described::<_, F>(states, values, at))?;
+        Ok(F::OUTPUT(List::new(Promise::Estimated, items)))
+    }
+
+    fn searched(&self, search: &Search<'_>) -> Result<Output> {
+        let [states, at] = self.question();
+        Ok(F::OUTPUT(search::estimates(described::<_, F>(&search.states()?, states, at)?)))
+    }
+
+    /// Where the states that were searched in f64 are not all there are, the value says so.
+    #[cfg(feature = "mp")]
+    fn confirmed(&self, mut output: Output, law: &PowerLaw<'_>) -> Result<Output> {
+        let (Output::Pressure(list) | Output::Gap(list) | Output::Displacement(list)) = &mut output else {
+            return Ok(output);
+        };
+        let what = "the contact radius of a state, which is beyond the range of f64, where states are searched";
+        let error = Error::Undecided { quantity: Quantity::ContactRadius, bits: f64::MANTISSA_DIGITS, what };
+        for (item, (value, count)) in list.items.iter_mut().zip(law.counts_at(self.values())?) {
+            if item.items.len() != count {
+                *item = AtValue::open(&value, &error);
+            }
+        }
+        Ok(output)
+    }
+
+    fn undecided(&self, open: &Open<'_>) -> Output {
+        F::OUTPUT(open.at_values(self.values()))
+    }
+}
+
+/// The field of every equilibrium at the values, or at the start of the path.
+///
+/// # Errors
+/// Errors that concern more than one value.
+fn described<'w, R: SceneReal, F: FieldRoom<'w>>(
+    states: &States<'_, R>,
+    values: &[Literal],
+    radii: &[Literal],
+) -> Result<Vec<AtValue<FieldState<Estimate<R>>>>> {
+    states.described(values, |state| {
+        let fields = Fields::of(states.model.contact(), &state)?;
+        Ok(FieldState {
+            samples: samples::<R, F>(states, &fields, radii, &states.model.contact_radius(&state.contact_radius))?,
+            admissible: F::admission(states, &fields, &state)?,
+            state: states.model.shown(state).map(|number| Estimate::exact(number.clone())).into(),
+            field: F::FIELD,
+        })
+    })
+}
+
+/// A field at the radii of the scene, else at fractions of the contact radius.
+fn samples<'w, R: SceneReal, F: FieldRoom<'w>>(
+    states: &States<'_, R>,
+    fields: &Fields<R>,
+    radii: &[Literal],
+    a: &R,
+) -> Result<Vec<FieldSample<Estimate<R>>>> {
+    let chosen = F::FRACTIONS.iter().filter(|_| radii.is_empty()).map(|&(numerator, denominator)| {
+        let r = a.clone().times(numerator).over(denominator);
+        (Value::Known(Estimate::exact(r.clone())), r)
+    });
+    let given = radii.iter().map(|literal| (Value::Given(literal.clone()), states.model.number(literal)));
+    let sample = |(r, at): (_, R)| Ok(FieldSample { r, value: Value::from_result(F::value(fields, &at))? });
+    chosen.chain(given).map(sample).collect()
+}
+
+/// A field with its error if digits are decided by it; digits of doubles are not.
+pub(super) fn estimate<R: SceneReal>(
+    estimate: Result<Estimate<R>>,
+    settled: impl FnOnce() -> Result<R>,
+) -> Result<Estimate<R>> {
+    if R::INDEX == f64::INDEX { settled().map(Estimate::exact) } else { estimate }
+}

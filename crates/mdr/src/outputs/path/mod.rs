@@ -1,0 +1,404 @@
+//! The output `path`: the events of the loading path, and the balance of its energy.
+
+pub(crate) mod edges;
+#[cfg(feature = "mp")]
+mod edges_proof;
+mod events;
+#[cfg(feature = "mp")]
+mod law;
+#[cfg(feature = "mp")]
+mod proof;
+
+use mdr_core::calculus::Estimate;
+#[cfg(feature = "mp")]
+use mdr_core::contact::Status;
+use mdr_core::contact::{Control, Edge, Result};
+use mdr_core::number::Literal;
+use mdr_numeric::folds::SearchQuality;
+use mdr_numeric::path::EventKind;
+
+use super::room::{Content, Facts, Open, Room as IsRoom, Subject, Table, not_wanted};
+use super::{Output, Want};
+use crate::answer::record::{Numbers, Part, Row, record};
+use crate::answer::{Admission, Cell, Column, Completeness, List, Number, NumberStyle, Optional, Promise, Value};
+#[cfg(feature = "mp")]
+use crate::solve::model::Model;
+use crate::solve::model::SceneReal;
+use crate::solve::search::{Search, doubles};
+use crate::solve::states::States;
+#[cfg(feature = "mp")]
+use crate::solve::{
+    certified::Certified,
+    digits::{agree, decide},
+    power_law::{self, PowerLaw},
+    refine::refined,
+};
+
+pub(crate) use events::{beyond_noise, changes, follow, is_arrival, quantities};
+
+/// The energy that is lost in an event.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dissipation<N = Number> {
+    /// A finite energy, in joules.
+    Finite(Value<N>),
+    /// An energy without bound: a dead load falls, or an infinite surface comes into contact.
+    Unbounded,
+}
+
+impl<N> Part<N> for Dissipation<N> {
+    type With<M> = Dissipation<M>;
+
+    fn map_part<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> Self::With<M> {
+        match self {
+            Dissipation::Finite(value) => Dissipation::Finite(f(value)),
+            Dissipation::Unbounded => Dissipation::Unbounded,
+        }
+    }
+
+    fn put<'a>(&'a self, key: &'static str, row: &mut Row<'a, N>) {
+        match self {
+            Dissipation::Finite(value) => value.put(key, row),
+            Dissipation::Unbounded => row.cells.push((key, Cell::Word("unbounded"))),
+        }
+    }
+
+    fn put_absent(key: &'static str, row: &mut Row<'_, N>) {
+        Value::put_absent(key, row);
+    }
+}
+
+record! {
+    /// An event of a loading path. A value that does not apply is missing: there is no contact radius where the surfaces are
+    /// apart.
+    PathEvent {
+        /// The kind of event.
+        event: EventKind,
+        /// D = d + F/k, on a machine.
+        position: Optional<N> = "position" in "m",
+        /// d before the event.
+        indentation: Option<Value<N>> = "indentation" in "m",
+        /// F before the event.
+        force: Option<Value<N>> = "force" in "N",
+        /// a before the event.
+        contact_radius: Option<Value<N>> = "contact radius" in "m",
+        /// a after it.
+        to_contact_radius: Option<Value<N>> = "to radius" in "m",
+        /// d after it.
+        to_indentation: Option<Value<N>> = "to indentation" in "m",
+        /// F after it.
+        to_force: Option<Value<N>> = "to force" in "N",
+        /// Whether the states of the event are admissible.
+        admissible: Admission<N>,
+        /// The energy lost in the event; with two works of adhesion, in its jump.
+        dissipated: Option<Dissipation<N>> = "dissipated" in "J",
+        /// With two works of adhesion w₁ and w₂, (w₂ − w₁) times the area that the edge has receded since the previous event and
+        /// in this one: an energy that is lost besides.
+        hysteresis: Optional<N> = "hysteresis" in "J",
+        /// With two works of adhesion, the edge whose work of adhesion the event has: of a jump, the one that drives it; the edge
+        /// that stops, or begins to move.
+        edge: Option<Edge>,
+    }
+
+    /// The energy balance of a path: work = dissipated + stored, and with two works of adhesion dissipated = jumps + hysteresis.
+    Balance {
+        /// Done by the control.
+        work: Value<N>,
+        /// Lost in all events.
+        dissipated: Value<N> = "dissipated" in "J",
+        /// The increase of the stored energy from the start to the end; with two works of adhesion, with the smaller one for the
+        /// area in contact.
+        stored: Value<N>,
+        /// With two works of adhesion, the energy lost in jumps.
+        jumps: Optional<N> = "jumps" in "J",
+        /// With two works of adhesion w₁ and w₂, (w₂ − w₁) times the area that the edge has receded.
+        hysteresis: Optional<N> = "hysteresis" in "J",
+    }
+}
+
+impl Balance {
+    /// The energy of a path in a sentence.
+    pub fn sentence(&self, style: &NumberStyle) -> String {
+        let part = |value: &Value| match value {
+            Value::Unknown { log10: Some(log10), .. } => format!("about 10^{log10:.6} J"),
+            Value::Unknown { status, why: Some(why), .. } => format!("{status} ({why})"),
+            Value::Unknown { status, .. } => status.to_string(),
+            value => style.quantity(&value.to_string(), "J"),
+        };
+        let [work, dissipated, stored] = [&self.work, &self.dissipated, &self.stored].map(part);
+        let split = match (&self.jumps, &self.hysteresis) {
+            (Optional(Some(jumps)), Optional(Some(hysteresis))) => {
+                format!(" ({} in jumps, {} by the receding edge)", part(jumps), part(hysteresis))
+            }
+            _ => String::new(),
+        };
+        format!(
+            "Energy: work of the control {work}, dissipated {dissipated}{split}, stored {stored} more than at the start."
+        )
+    }
+}
+
+/// The events of a path and the balance of its energy, in one arithmetic.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct PathNumbers<N> {
+    pub(crate) events: Vec<PathEvent<N>>,
+    pub(crate) balance: Option<Balance<N>>,
+}
+
+impl<N> Numbers<N> for PathNumbers<N> {
+    type With<M> = PathNumbers<M>;
+
+    fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> PathNumbers<M> {
+        PathNumbers { events: self.events.map_values(f), balance: self.balance.map_values(f) }
+    }
+
+    fn rows(&self) -> Vec<Row<'_, N>> {
+        let mut rows = self.events.rows();
+        rows.extend(self.balance.rows());
+        rows
+    }
+
+    fn columns() -> Vec<Column> {
+        <PathEvent<N> as Numbers<N>>::columns()
+    }
+}
+
+/// A loading path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadingPath {
+    /// The events, in their order.
+    pub events: List<PathEvent>,
+    /// The energy balance; `None` if a term of it has no bound, or the path could not be followed to its end.
+    pub balance: Option<Balance>,
+    /// How far the energies can be trusted, where that is less than the rest.
+    pub energy: Option<Promise>,
+}
+
+impl LoadingPath {
+    pub(crate) fn new(promise: Promise, path: PathNumbers<Number>, complete: Completeness) -> Self {
+        let PathNumbers { events, balance } = path;
+        LoadingPath { events: List::new(promise, events).complete(complete), balance, energy: None }
+    }
+
+    /// Takes the energies from another computation of the same path.
+    #[cfg(feature = "mp")]
+    pub(crate) fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
+        for (event, other) in self.events.items.iter_mut().zip(other.events) {
+            (event.dissipated, event.hysteresis) = (other.dissipated, other.hysteresis);
+        }
+        LoadingPath { balance: other.balance, energy: Some(promise), ..self }
+    }
+
+    /// Marks the energies of the path as undecided, for the reason `why`.
+    #[cfg(feature = "mp")]
+    pub(crate) fn without_energy(mut self, why: &str) -> Self {
+        let open = || Value::unknown(Status::Undecided, why);
+        // Surfaces that part under a dead load, or come to touch everywhere, have no energy balance.
+        let ends = |event: &PathEvent| {
+            matches!(event.event, EventKind::Detached | EventKind::CompleteContact | EventKind::Undecided)
+        };
+        let is_finite = !self.events.items.iter().any(|event| ends(event) && event.to_indentation.is_none());
+        for event in self.events.items.iter_mut().filter(|event| event.to_force.is_some()) {
+            event.dissipated = Some(Dissipation::Finite(open()));
+        }
+        let (jumps, hysteresis) = (Optional(None), Optional(None));
+        let balance =
+            is_finite.then(|| Balance { work: open(), dissipated: open(), stored: open(), jumps, hysteresis });
+        LoadingPath { balance, ..self }
+    }
+}
+
+impl Content for LoadingPath {
+    fn list(&self) -> &dyn Table {
+        &self.events
+    }
+
+    fn beside(&self) -> Vec<(&'static str, Vec<Row<'_>>)> {
+        self.balance.iter().map(|balance| ("balance", balance.rows())).collect()
+    }
+
+    fn exceptions(&self) -> Vec<(&'static str, Promise)> {
+        let dissipated = self.energy.map(|promise| ("path.dissipated", promise));
+        let balance = self.balance.as_ref().and(self.energy).map(|promise| ("balance", promise));
+        dissipated.into_iter().chain(balance).collect()
+    }
+
+    fn sentences(&self, style: &NumberStyle) -> Vec<String> {
+        self.balance.iter().map(|balance| balance.sentence(style)).collect()
+    }
+
+    #[cfg(feature = "mp")]
+    fn resolve(&mut self, promise: Promise, f: fn(Number) -> Value) {
+        self.events.resolve(promise, f);
+        self.balance = self.balance.take().resolve(f);
+        self.energy = None;
+    }
+}
+
+pub(super) const FACTS: Facts = Facts { of: Subject::Path, key: None, question: |_, _| Want::Path, unused: not_wanted };
+
+pub(super) struct Room;
+
+impl<'w> IsRoom<'w> for Room {
+    fn needs_start(&self) -> bool {
+        true
+    }
+
+    fn has_edges(&self) -> bool {
+        true
+    }
+
+    #[cfg(feature = "mp")]
+    fn visited(&self, search: &Search<'_>) -> Vec<f64> {
+        let path = followed(search);
+        let events = path.into_iter().flat_map(|path| path.events);
+        let states = events.flat_map(|event| [event.before, event.after]);
+        let radii = states.filter_map(|state| Some(state.contact()?.contact_radius));
+        radii.filter(|radius| *radius > 0.0 && radius.is_finite()).collect()
+    }
+
+    #[cfg(feature = "mp")]
+    fn by_law(&self, law: &PowerLaw<'_>) -> Result<Option<Output>> {
+        let path = decide(law.digits, |precision| law::events(law, &law.curve(precision)?))?;
+        Ok(Some(LoadingPath::new(Promise::Certified, path, power_law::complete()).into()))
+    }
+
+    /// Proved where the folds are, except for the energy.
+    #[cfg(feature = "mp")]
+    fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
+        if certified.scene.has_two_works() {
+            return proved_between_edges(certified);
+        }
+        let Some(folds) = certified.fold_proof()? else { return Ok(None) };
+        let Some((proved, followed)) = proof::path(certified, folds)? else { return Ok(None) };
+        let path = match followed.with_energy(certified, folds) {
+            Ok(path) => proved.with_energy_of(Promise::Estimated, path),
+            Err(error) => proved.without_energy(&error.to_string()),
+        };
+        Ok(Some(path.into()))
+    }
+
+    #[cfg(feature = "mp")]
+    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
+        if certified.scene.has_two_works() {
+            return estimated_between_edges(certified);
+        }
+        let estimated = certified.estimated(numbers)?;
+        let mut searched = certified.searched()?;
+        let folds = certified.fold_proof()?;
+        if let Some(Completeness { proved: true, from, to, .. }) = folds.map(|folds| &folds.complete) {
+            let [from, to] = [from, to].map(|end| end.as_deref().unwrap_or("infinity").to_owned());
+            searched.why += &format!("; not every state of the path is proved within radii from {from} to {to} m");
+        }
+        Ok(LoadingPath::new(Promise::Estimated, estimated, searched).into())
+    }
+
+    fn searched(&self, search: &Search<'_>) -> Result<Output> {
+        if search.scene.has_two_works() {
+            return edges::with_both(search, |states, searches| {
+                let path = doubles(edges::numbers(states)?);
+                let [advancing, receding] = [searches[0].completeness()?, searches[1].completeness()?];
+                let complete =
+                    if searches[0].folds()?.completeness == SearchQuality::Doubtful { advancing } else { receding };
+                Ok(LoadingPath::new(Promise::Double, path, complete).into())
+            });
+        }
+        let path = doubles(numbers(&search.states()?)?);
+        Ok(LoadingPath::new(Promise::Double, path, search.completeness()?).into())
+    }
+
+    fn undecided(&self, open: &Open<'_>) -> Output {
+        let path = PathNumbers { events: vec![undecided(open)], balance: None };
+        LoadingPath::new(open.promise, path, open.completeness()).into()
+    }
+}
+
+impl From<LoadingPath> for Output {
+    fn from(path: LoadingPath) -> Self {
+        Output::Path(Box::new(path))
+    }
+}
+
+/// The events of the path and the balance of its energy.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform; an energy that is not representable. See
+/// [`follow`] and [`events::with_energy`].
+fn numbers<R: SceneReal>(states: &States<'_, R>) -> Result<PathNumbers<Estimate<R>>> {
+    let path = follow(states.model, &states.branches, states.scene)?;
+    events::with_energy(&path, &states.scene.path, &states.branches)
+}
+
+/// The path of a search in f64, of one edge or between two.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform.
+pub(crate) fn followed(search: &Search<'_>) -> Result<mdr_numeric::path::Path<f64>> {
+    if search.scene.works.is_some() {
+        return edges::with_both(search, |[advancing, receding], _| {
+            edges::follow(receding.model, [&advancing.branches, &receding.branches], receding.scene)
+        });
+    }
+    let states = search.states()?;
+    follow(states.model, &states.branches, states.scene)
+}
+
+/// What `use_them` makes of the contact at the work of adhesion of each edge.
+#[cfg(feature = "mp")]
+fn with_edges<T>(certified: &Certified<'_>, use_them: impl FnOnce([&Certified<'_>; 2]) -> Result<T>) -> Result<T> {
+    let [advancing, receding] = [Edge::Advancing, Edge::Receding].map(|edge| certified.scene.at(edge));
+    let of = |scene| Certified::new(scene, certified.digits, certified.counts);
+    use_them([&of(&advancing), &of(&receding)])
+}
+
+/// Proved where the folds of both edges are, except for the energy.
+#[cfg(feature = "mp")]
+fn proved_between_edges(certified: &Certified<'_>) -> Result<Option<Output>> {
+    with_edges(certified, |edges| {
+        let (Some(advancing), Some(receding)) = (edges[0].fold_proof()?, edges[1].fold_proof()?) else {
+            return Ok(None);
+        };
+        let pair = edges_proof::Pair { edges, folds: [advancing, receding] };
+        let Some((proved, followed)) = edges_proof::path(&pair)? else { return Ok(None) };
+        let path = match followed.with_energy(&pair) {
+            Ok(path) => proved.with_energy_of(Promise::Estimated, path),
+            Err(error) => proved.without_energy(&error.to_string()),
+        };
+        Ok(Some(path.into()))
+    })
+}
+
+#[cfg(feature = "mp")]
+fn estimated_between_edges(certified: &Certified<'_>) -> Result<Output> {
+    with_edges(certified, |[advancing, receding]| {
+        let folds = [advancing.search()?.folds()?, receding.search()?.folds()?];
+        let path = agree(certified.digits, |precision| {
+            let models: [Model<rug::Float>; 2] = [advancing.model(precision)?, receding.model(precision)?];
+            let states = |certified: &Certified<'_>, index: usize| {
+                let folds = refined(&models[index], folds[index])?;
+                Ok(States::new(receding.scene, &models[index], folds, certified.admissibility()?))
+            };
+            edges::numbers([&states(advancing, 0)?, &states(receding, 1)?])
+        })?;
+        Ok(LoadingPath::new(Promise::Estimated, path, receding.searched()?).into())
+    })
+}
+
+/// The one event of a path that could not be followed.
+fn undecided(open: &Open<'_>) -> PathEvent {
+    let held = |is_held: bool| if is_held { open.start() } else { Some(open.value()) };
+    let control: &Control<Literal> = open.control();
+    PathEvent {
+        event: EventKind::Undecided,
+        position: Optional(open.start().filter(|_| matches!(control, Control::Machine { .. }))),
+        indentation: held(matches!(control, Control::Indentation)),
+        force: held(matches!(control, Control::Force)),
+        contact_radius: Some(open.value()),
+        to_contact_radius: None,
+        to_indentation: None,
+        to_force: None,
+        admissible: Admission::Unknown { why: "the path could not be followed" },
+        dissipated: None,
+        hysteresis: Optional(None),
+        edge: None,
+    }
+}

@@ -1,0 +1,135 @@
+//! The path over enclosures: every digit and every decision proved, except for its energies.
+
+use mdr_core::contact::{self, Control, Error, Result};
+use mdr_core::number::certify::Enclosure;
+use mdr_core::number::{Interval, Literal, Precision, Real};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::folds::{Folds, SearchQuality};
+use mdr_numeric::path::{Event, Path};
+use mdr_numeric::proof::ProvedBranches;
+use rug::Float;
+
+use super::{LoadingPath, PathEvent, PathNumbers, events, follow, is_arrival};
+use crate::answer::record::Numbers;
+use crate::answer::{Completeness, Number, Promise, Value};
+use crate::solve::certified::Certified;
+use crate::solve::digits::{agree, decide_from, guarded, raised, start};
+use crate::solve::model::Model;
+use crate::solve::proof::{Enclosed, FoldProof, decided, exactly};
+
+/// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
+pub(super) const ENOUGH: u32 = 16;
+
+/// A path that was followed over enclosures.
+pub(super) struct Followed {
+    path: Path<Interval>,
+    /// The path with contact radii for sizes.
+    shown: Path<Interval>,
+    folds: Vec<contact::Fold<Interval>>,
+    control: Control<Interval>,
+    bits: u32,
+}
+
+impl Followed {
+    /// Every decision on the path is certain.
+    ///
+    /// # Errors
+    /// No stable equilibrium at the first way point; errors of the transform, see [`Path::follow`]; [`Error::Unproved`] if more
+    /// bits do not help.
+    fn new(certified: &Certified<'_>, folds: &FoldProof, precision: Precision) -> Result<Self> {
+        let enclosed = Enclosed::new(certified, precision)?;
+        let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
+        let branches = branches.with_admissibility(certified.admissibility()?);
+        let control = enclosed.value.control();
+        let unproved = || {
+            let (from, to) = ("0".to_owned(), "infinity".to_owned());
+            Error::Unproved { quantity: control.quantity(), from, to, remedy: "name a wider range of radii" }
+        };
+        let path = match follow(&enclosed.value, &branches, certified.scene) {
+            // There is none in the range of the proof, whatever the precision.
+            Err(Error::NoEquilibrium { .. }) => return Err(unproved()),
+            path => path?,
+        };
+        let asked_for = start(certified.digits).bits();
+        branches.check(&path).map_err(|error| match error {
+            // The rest of the radii is long, and not a matter of bits.
+            Error::Undecided { bits, .. } if bits >= ENOUGH * asked_for => unproved(),
+            error => error,
+        })?;
+        let folds = branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect();
+        let shown = events::shown(&path, enclosed.value.contact().medium());
+        Ok(Followed { path, shown, folds, control: control.clone(), bits: precision.bits() })
+    }
+
+    /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is
+    /// searched again.
+    ///
+    /// # Errors
+    /// Errors of the transform; an energy that is not representable. See [`events::with_energy`].
+    pub(super) fn with_energy(mut self, certified: &Certified<'_>, folds: &FoldProof) -> Result<PathNumbers<Number>> {
+        agree(certified.digits, |precision| {
+            if self.bits < guarded(precision).bits() {
+                self = Followed::new(certified, folds, guarded(precision))?;
+            }
+            let model: Model<Float> = certified.model(precision)?;
+            let rounded = |number: &Interval| Float::with_val(precision.bits(), number.mid());
+            let folds = self.folds.iter().map(|fold| fold.map(rounded)).collect();
+            let (poles, out_of_range) = (Vec::new(), Vec::new());
+            let folds = Folds { folds, poles, out_of_range, completeness: SearchQuality::Resolved };
+            let branches =
+                SearchedBranches::cut_at(model.contact(), folds).with_admissibility(certified.admissibility()?);
+            events::with_energy(&self.path.map(rounded), &certified.scene.path, &branches)
+        })
+    }
+}
+
+/// The path without its energy, every decision of it proved; `None` if one cannot be proved.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform. See [`Path::follow`].
+pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Option<(LoadingPath, Followed)>> {
+    let scene = certified.scene;
+    // As precise as the energies will need the states.
+    let precision = guarded(raised(start(certified.digits)));
+    let mut last = None;
+    let items = decide_from(precision, certified.digits, |precision| {
+        let followed = last.insert(Followed::new(certified, folds, precision)?);
+        let events = events::events(&followed.control, &followed.shown, &*certified.admissibility()?);
+        let mut events = events.convert(Enclosure::from);
+        let mut way = scene.path.iter();
+        for (record, event) in events.iter_mut().zip(&followed.path.events) {
+            if is_arrival(event.kind)
+                && let Some(literal) = way.next()
+            {
+                set_exact(record, event, &scene.control, literal);
+            }
+            if event.fold.is_some() && event.before.contact().is_some() && scene.breaks_at_zero_depth() {
+                record.indentation = Some(exactly(&0.into()));
+            }
+        }
+        Ok(events)
+    });
+    let why = "every decision on the path is certain, and its folds are proved to be all";
+    let complete = Completeness { why: why.to_owned(), ..folds.complete.clone() };
+    let path = |events| LoadingPath::new(Promise::Certified, PathNumbers { events, balance: None }, complete);
+    Ok(decided(items)?.map(path).zip(last))
+}
+
+/// The exact value of the controlled quantity at a way point. Surfaces apart carry no load, whatever is applied.
+pub(super) fn set_exact(
+    record: &mut PathEvent<Enclosure>,
+    event: &Event<Interval>,
+    control: &Control<Literal>,
+    literal: &Literal,
+) {
+    let value = match control {
+        Control::Indentation => &mut record.indentation,
+        Control::Force if event.before.contact().is_none() => return,
+        Control::Force => &mut record.force,
+        Control::Machine { .. } => &mut record.position.0,
+    };
+    if let Some(Value::Known(_)) = value {
+        *value = Some(exactly(literal));
+    }
+}
