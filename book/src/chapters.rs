@@ -14,9 +14,9 @@ const fn chapter(page: &'static str, title: &'static str, entries: &'static [&'s
 }
 
 /// All chapters. An entry that none of them names belongs to the last but one.
-pub(crate) const CHAPTERS: [Chapter; 11] = [
+pub(crate) const CHAPTERS: [Chapter; 12] = [
     chapter("method", "The method", &["1.1", "1.2", "1.3", "1.4", "1.5", "1.6"]),
-    chapter("equilibrium", "Equilibrium and stability", &["1.7", "1.8", "1.9", "1.10"]),
+    chapter("equilibrium", "Equilibrium and stability", &["1.7", "1.8", "1.9", "1.10", "paper-statements"]),
     chapter("power-laws", "Power laws and their two regimes", &["1.11"]),
     chapter("kappa", "The factor κ", &["1.12", "kappa-recurrences", "kappa-growth", "kappa-series", "kappa-elliptic"]),
     chapter(
@@ -30,7 +30,8 @@ pub(crate) const CHAPTERS: [Chapter; 11] = [
         "Dead loads and machines",
         &["critical-force", "critical-machine", "machine-folds", "machine-half"],
     ),
-    chapter("waviness", "Waviness", &["wavy"]),
+    chapter("waviness", "Waviness", &["wavy", "wave", "wave-approach"]),
+    chapter("media", "Other media", &["media", "graded", "line-contact"]),
     chapter("energy", "Energy and hysteresis", &["work-pull-off", "work-jump-in"]),
     chapter("profiles", "The library of profiles", &["kendall"]),
     chapter("limits", "Limits of the theory", &["maugis-dugdale"]),

@@ -10,7 +10,7 @@ use crate::entry::permalink;
 use crate::error::{Error, Result};
 
 /// The families, in the order of the theory: the formula of the records, and its title.
-pub(crate) const FAMILIES: [(&str, &str); 15] = [
+pub(crate) const FAMILIES: [(&str, &str); 24] = [
     ("kappa", "The factor κ of a power law"),
     ("critical", "Critical states of power laws"),
     ("machine-folds", "Folds of power laws on a machine"),
@@ -25,6 +25,15 @@ pub(crate) const FAMILIES: [(&str, &str); 15] = [
     ("equilibria", "Equilibria of other profiles"),
     ("landing", "Where a jump ends"),
     ("flat-punch-pull-off", "Pull-off of a flat punch"),
+    ("graded-critical", "Critical states on graded half-spaces"),
+    ("graded-threshold", "Thresholds of C on graded half-spaces"),
+    ("line-critical", "Critical states of line contacts"),
+    ("line-threshold", "The threshold of C of line contacts"),
+    ("wave-fold", "Folds of wavy surfaces"),
+    ("wave-threshold-load", "Wavy surfaces: where folds under a load merge"),
+    ("wave-threshold-touch", "Wavy surfaces: where touching completes the contact"),
+    ("wave-threshold-energy", "Wavy surfaces: where complete contact has less energy"),
+    ("wave-threshold-compliance", "Wavy surfaces: the compliance up to which folds stay"),
     (FIT, "Fits of measured curves"),
 ];
 

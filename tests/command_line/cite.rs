@@ -19,7 +19,7 @@ fn answer(name: &str, command: &str) -> String {
 fn program_records_and_theory() {
     let text = output("cite");
     for part in
-        [&format!("version {}", env!("CARGO_PKG_VERSION")), "release 3", "V. L. Popov", "No DOI is assigned yet"]
+        [&format!("version {}", env!("CARGO_PKG_VERSION")), "release 4", "V. L. Popov", "No DOI is assigned yet"]
     {
         assert!(text.contains(part), "{part} in {text}");
     }
@@ -52,7 +52,7 @@ fn an_answer_asks_for_the_sources_of_its_profile() {
     let waves = answer("waves", &format!("solve {waves} --f64 --format json"));
     let bibtex = output(&format!("cite {waves} --format bibtex"));
     assert!(
-        bibtex.contains("@article{Guduru2007,") && bibtex.contains("release 3") && !bibtex.contains("JKR1971"),
+        bibtex.contains("@article{Guduru2007,") && bibtex.contains("release 4") && !bibtex.contains("JKR1971"),
         "{bibtex}"
     );
     assert_eq!(bibtex.matches('{').count(), bibtex.matches('}').count());

@@ -1,4 +1,4 @@
-/* JKR sphere f = r^2/(2R): folds and equilibria in SI units and in those of Maugis. The mdr developers, mdr: certified reference values of adhesive contact mechanics, release 3, table jkr-sphere. CC0-1.0: to be copied without conditions. */
+/* JKR sphere f = r^2/(2R): folds and equilibria in SI units and in those of Maugis. The mdr developers, mdr: certified reference values of adhesive contact mechanics, release 4, table jkr-sphere. CC0-1.0: to be copied without conditions. */
 #ifndef MDR_JKR_SPHERE_H
 #define MDR_JKR_SPHERE_H
 

@@ -160,9 +160,9 @@ fn exponent(record: &Record, input: &str) -> Option<f64> {
     }
 }
 
-/// Whether the contact is that of f = r²/(2R).
+/// Whether the contact is that of f = r²/(2R) on a half-space.
 fn is_paraboloid(record: &Record) -> bool {
-    record.profile == "power" && record.input("n") == Some("2")
+    record.profile == "power" && record.input("n") == Some("2") && record.formula != "line-critical"
 }
 
 /// The unit of Maugis for a quantity of a paraboloid: πwR for a force, (πwR²/K)^(1/3) for a contact radius and
