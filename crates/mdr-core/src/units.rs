@@ -102,7 +102,7 @@ struct Scale {
 }
 
 impl Scale {
-    /// Of a product or quotient of powers of units: `nm`, `mJ/m^2`, `N/mm²`, `mJ m-2`.
+    /// The scale of a product or quotient of powers of units: `nm`, `mJ/m^2`, `N/mm²`, `mJ m-2`.
     fn of(unit: &str) -> Option<Scale> {
         let mut whole = Scale { dimension: [0; 3], power: 0 };
         for (index, part) in unit.split('/').enumerate() {
@@ -120,7 +120,7 @@ impl Scale {
         Some(whole)
     }
 
-    /// Of one unit, and its exponent: `m`, `m2`, `m^2`, `m²`, `m^-2`.
+    /// The scale of one unit, and its exponent: `m`, `m2`, `m^2`, `m²`, `m^-2`.
     fn of_factor(factor: &str) -> Option<(Scale, i64)> {
         let end = factor.find(|c: char| c.is_ascii_digit() || "^-²³".contains(c)).unwrap_or(factor.len());
         let (name, exponent) = factor.split_at(end);

@@ -47,6 +47,7 @@ pub struct Foundation<R> {
 
 /// A cascade: springs that detach or attach one after the other at a fixed controlled value.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Cascade<R> {
     /// The state at which it starts.
     pub instability: Fold<R>,

@@ -1,6 +1,6 @@
 //! Force against indentation depth or against contact radius, with branches, folds and the events of a path.
 
-use mdr::diagram::{Branch, Diagram, Event, Sample, State};
+use mdr::diagram::{Branch, CurveSample, Diagram, DiagramEvent, State};
 use mdr::prelude::EventKind;
 
 use crate::balance::{ADHESION, LOSS};
@@ -74,7 +74,7 @@ fn states(data: &Diagram) -> Vec<State> {
     states.extend(data.folds.iter().copied());
     let radii = || states.iter().map(|state| state.contact_radius).filter(|radius| *radius > 0.0);
     let (least, most) = (radii().fold(f64::INFINITY, f64::min), radii().fold(0.0, f64::max));
-    let seen = |sample: &&Sample| states.is_empty() || (least..=most).contains(&sample.contact_radius);
+    let seen = |sample: &&CurveSample| states.is_empty() || (least..=most).contains(&sample.contact_radius);
     let between: Vec<State> = data.samples().filter(seen).map(state).collect();
     states.extend(between);
     states.extend(data.wall.iter().flatten());
@@ -92,7 +92,7 @@ fn near(data: &Diagram, states: &[State]) -> Vec<State> {
     apart.filter(|state| (2.0 * least - most..=2.0 * most - least).contains(&state.indentation)).collect()
 }
 
-fn state(sample: &Sample) -> State {
+fn state(sample: &CurveSample) -> State {
     State { contact_radius: sample.contact_radius, indentation: sample.indentation, force: sample.force }
 }
 
@@ -146,7 +146,7 @@ fn loop_area(data: &Diagram, plane: Plane) -> Option<Layer> {
 }
 
 /// Whether a path comes back to its first state by another way.
-fn is_cycle(path: &[Event]) -> bool {
+fn is_cycle(path: &[DiagramEvent]) -> bool {
     let jumps = path.iter().any(|event| event.before != event.after);
     match (path.first().and_then(|event| event.after), path.last().and_then(|event| event.before)) {
         (Some(first), Some(last)) => {

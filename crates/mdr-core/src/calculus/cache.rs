@@ -13,6 +13,9 @@ pub(super) enum Key {
     TanhSinh,
     /// The Gauss rule with `n` nodes. The exponents are kept as text, which is distinct in every arithmetic.
     GaussJacobi { n: usize, alpha: String, beta: String },
+    /// The Gauss–Legendre rule with `n` nodes, as enclosures.
+    #[cfg(feature = "mp")]
+    Legendre { n: usize },
 }
 
 /// A rule that can report roughly how many bits it occupies when it is built.

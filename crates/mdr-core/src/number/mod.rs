@@ -1,6 +1,8 @@
 //! The arithmetics in which every formula is evaluated, behind one trait.
 
 #[cfg(feature = "mp")]
+mod analytic;
+#[cfg(feature = "mp")]
 pub mod certify;
 #[cfg(feature = "mp")]
 mod counted;
@@ -16,6 +18,8 @@ mod literal;
 mod mp;
 mod real;
 
+#[cfg(feature = "mp")]
+pub use analytic::{Analytic, Euler, Rectangle};
 #[cfg(feature = "mp")]
 pub use counted::RoundingCount;
 pub use decimal::Decimal;

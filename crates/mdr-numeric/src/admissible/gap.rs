@@ -89,6 +89,19 @@ impl Terrain {
         Ok(sum)
     }
 
+    /// The gap at a radius r > a of a given height, from g inside the contact by the fast rule; `None` if its sign is not certain
+    /// against the error of the rule.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    #[cfg(feature = "mp")]
+    pub(super) fn gap_over(&self, height: f64, r: f64, a: f64, d: f64) -> Result<Option<f64>> {
+        let inside = self.afresh(0.0, a, d, r)? * std::f64::consts::FRAC_2_PI;
+        let gap = height - d - inside;
+        let scale = height.abs() + d.abs() + inside.abs();
+        Ok((gap.abs() > COARSE * scale).then_some(gap))
+    }
+
     /// The gap at a radius; `None` if its sign is not certain against rounding.
     pub(super) fn sign(&self, a: f64, d: f64, r: f64) -> Option<f64> {
         let breaks: Vec<f64> = self.edges.iter().map(|edge| edge.x).filter(|x| *x > a && *x < r).collect();

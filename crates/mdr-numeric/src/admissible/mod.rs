@@ -26,7 +26,6 @@ use mdr_core::contact::{Fold, Result, Transform};
 use mdr_core::number::Real;
 
 use crate::contact::Contact;
-use crate::medium::Medium;
 
 use extrema::Terrain;
 
@@ -56,6 +55,8 @@ pub struct Admissibility {
     touch: Option<FirstTouch>,
     /// Why nothing is known.
     unknown: Option<&'static str>,
+    /// Whether the extrema of g are proved to be all.
+    isolated: bool,
 }
 
 /// Where the separated surfaces of a formula first touch, as far as enclosures of f decide it.
@@ -94,6 +95,8 @@ pub enum Verdict {
 pub enum Basis {
     /// The form of the profile: its g is nondecreasing.
     Bound,
+    /// The extrema of g were isolated by enclosures, each one proved and none missed.
+    Isolated,
     /// The extrema of g were searched in double precision, and g was resolved everywhere.
     Searched,
     /// The search did not resolve g everywhere: an interpenetration that is found is certain, but others may exist.
@@ -116,18 +119,23 @@ impl Admissibility {
         if transform.rises() {
             return Self::of_rising();
         }
-        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None, unknown: None }
+        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None, isolated: false, unknown: None }
     }
 
     /// For a transformed formula of which nothing else is proved. The extrema are searched as by [`Admissibility::new`], but
     /// interpenetrations that the search does not find may exist.
     pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
-        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: Some(touch), unknown: None }
+        Admissibility {
+            terrain: Some(Terrain::new(transform, radii)),
+            touch: Some(touch),
+            isolated: false,
+            unknown: None,
+        }
     }
 
     /// For a profile with nondecreasing g: every state is admissible.
     pub fn of_rising() -> Self {
-        Admissibility { terrain: None, touch: None, unknown: None }
+        Admissibility { terrain: None, touch: None, isolated: false, unknown: None }
     }
 
     /// For a profile on a medium on which the gap outside a contact is not searched: nothing is known of any state.
@@ -137,14 +145,24 @@ impl Admissibility {
 
     /// A shared [`Admissibility`] for profiles with nondecreasing g: every state is admissible.
     pub fn rising() -> &'static Admissibility {
-        static RISING: Admissibility = Admissibility { terrain: None, touch: None, unknown: None };
+        static RISING: Admissibility = Admissibility { terrain: None, touch: None, isolated: false, unknown: None };
         &RISING
+    }
+
+    /// For a transform over enclosures whose extrema between two radii are proved to be all, g rising beyond; what is known of
+    /// the first touch stays. The gap between them is computed in doubles, from g rounded.
+    #[cfg(feature = "mp")]
+    #[must_use]
+    pub fn with_extrema(&self, curve: &Contact<mdr_core::number::Interval>, extrema: &[f64], range: [f64; 2]) -> Self {
+        let (transform, ctx) = (Arc::clone(curve.shared_transform()), curve.modulus().ctx());
+        let terrain = Terrain::of_extrema(Arc::new(Rounded { transform, ctx }), extrema, range);
+        Admissibility { terrain: Some(terrain), touch: self.touch.clone(), isolated: true, unknown: None }
     }
 
     /// For a transformed profile in any arithmetic, evaluated there and rounded.
     pub(crate) fn rounded<R: Real>(curve: &Contact<R>, folds: &[Fold<R>]) -> Self {
         let (transform, length) = (Arc::clone(curve.shared_transform()), curve.material_length());
-        if !matches!(curve.medium(), Medium::HalfSpace { .. }) && !transform.rises() {
+        if !curve.medium().is_half_space() && !transform.rises() {
             return Self::unknown(NOT_SEARCHED);
         }
         let radii: Vec<f64> = folds.iter().map(|fold| fold.contact_radius.approx()).collect();
@@ -156,6 +174,7 @@ impl Admissibility {
         match &self.terrain {
             None if self.unknown.is_some() => Basis::Doubtful,
             None => Basis::Bound,
+            Some(_) if self.isolated => Basis::Isolated,
             Some(terrain) if self.touch.is_some() && terrain.width.is_finite() => {
                 Basis::Unproved { width: terrain.width }
             }
@@ -175,11 +194,14 @@ impl Admissibility {
         }
         let apart = if !terrain.knows(a) {
             Verdict::Undecided("g is not resolved everywhere outside the contact")
-        } else if self.touch.is_some() {
+        } else if self.touch.is_some() && !self.isolated {
             Verdict::Undecided("the formula may dip between the radii at which g was looked at")
         } else {
             Verdict::Admissible
         };
+        if let Some((radius, gap)) = self.at_lowest_ring(terrain, a, d) {
+            return Verdict::Interpenetrating { radius, gap };
+        }
         match terrain.narrowest(a, d, true) {
             Err(_) => Verdict::Undecided("g cannot be computed everywhere outside the contact"),
             Ok(Some((radius, _))) => match terrain.sign(a, d, radius) {
@@ -189,6 +211,24 @@ impl Admissibility {
             },
             Ok(None) => apart,
         }
+    }
+
+    /// The ring on which a formula is lowest and the gap there, if the surfaces clearly interpenetrate on it. The search may have
+    /// missed it, but h(r) = f(r) − d − (2/π) ∫₀ᵃ (g − d)/√(r² − x²) dx depends on f there and on g inside the contact only.
+    #[cfg(feature = "mp")]
+    fn at_lowest_ring(&self, terrain: &Terrain, a: f64, d: f64) -> Option<(f64, f64)> {
+        let Some(FirstTouch::Ring(ring)) = &self.touch else { return None };
+        let [radius, height] = ring.at::<f64>(());
+        if a >= radius {
+            return None;
+        }
+        let gap = terrain.gap_over(height, radius, a, d).ok()?;
+        gap.filter(|gap| *gap < 0.0).map(|gap| (radius, gap))
+    }
+
+    #[cfg(not(feature = "mp"))]
+    fn at_lowest_ring(&self, _: &Terrain, _: f64, _: f64) -> Option<(f64, f64)> {
+        None
     }
 
     /// An indentation, in m, at which the separated surfaces of a formula do not touch yet, if the indentation at which they

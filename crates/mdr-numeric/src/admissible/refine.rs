@@ -18,6 +18,7 @@ pub struct Ring<R> {
 
 /// The first contact of separated surfaces, if it is not at the tip.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Touch<R> {
     /// The radius of the ring, in m.
     pub radius: R,

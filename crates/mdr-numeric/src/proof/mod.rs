@@ -35,6 +35,7 @@ pub struct EnclosedCurve {
 
 /// The folds found on a range of radii, and the parts left undecided.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct ProvedFolds {
     /// The range. Nothing is claimed outside it.
     pub range: (Float, Float),
@@ -189,6 +190,9 @@ impl EnclosedCurve {
         let over_cell = self.with_slope(cell)?;
         if !over_cell.value.contains_zero() {
             return Ok(Behaviour::Nonzero);
+        }
+        if !over_cell.slope.is_finite() {
+            return Ok(Behaviour::Unknown);
         }
         let centre = Interval::point(cell.mid());
         let mean_value = self.condition(&centre)? + over_cell.slope.clone() * (cell.clone() - &centre);

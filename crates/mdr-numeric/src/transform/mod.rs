@@ -11,6 +11,8 @@
 
 mod angles;
 mod counted;
+#[cfg(feature = "mp")]
+mod enclosed;
 mod gauss;
 mod integral;
 mod integrand;
@@ -22,7 +24,9 @@ pub(crate) mod strides;
 mod wave;
 mod weighted;
 
-pub use line::Line;
+#[cfg(feature = "mp")]
+pub use enclosed::{Enclosed, EnclosedWithSlopes};
+pub use line::LineLoad;
 pub use periodic::Periodic;
 pub use powers::{Powers, graded_kappa, line_factor};
 pub use quadrature::{Quadrature, Rule};

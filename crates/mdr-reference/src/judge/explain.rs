@@ -49,6 +49,7 @@ const DIGITS: f64 = 15.0;
 /// # Ok::<(), mdr_reference::FilterError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Explanation {
     /// Stable names of the conventions; more than one where each explains the same answers.
     pub names: Vec<String>,

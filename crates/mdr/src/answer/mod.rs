@@ -23,10 +23,8 @@ pub use style::{Notation, NumberStyle, UnitError, Units};
 pub use types::{Admission, AtValue, Completeness, List, Optional, Overlap, PlainState};
 pub use value::{Number, Promise, Value};
 
-pub use crate::outputs::{
-    Balance, CurvePoint, CurveStability, CurveSummary, Dissipation, EnergyState, Equilibrium, Field, FieldSample,
-    FieldState, Fold, ForceCurve, ForceSample, LoadingPath, Output, OutputKind, PathEvent, TransformSample,
-};
+pub use crate::outputs::records::*;
+pub use crate::outputs::{Output, OutputKind};
 use crate::run::Cost;
 use crate::scene::{Arithmetic, Want};
 use crate::validity::Validity;
@@ -50,8 +48,8 @@ pub struct Answer {
     pub arithmetic: Arithmetic,
     /// The name of the profile.
     pub profile: &'static str,
-    /// The name of the medium.
-    pub medium: &'static str,
+    /// The name of the medium; `None` on a homogeneous half-space.
+    pub medium: Option<&'static str>,
     /// The unit of forces: N, per length N/m, or per area Pa.
     pub force_unit: &'static str,
     /// The kind of controlled quantity; `None` if nothing is controlled.
@@ -85,6 +83,10 @@ pub fn described(basis: Basis) -> Cow<'static, str> {
     Cow::Borrowed(match basis {
         Basis::Bound => {
             "every state is, by the form of the profile: its g falls nowhere, so that no gap closes outside of a contact"
+        }
+        Basis::Isolated => {
+            "decided from the extrema of g, which were isolated by enclosures and are proved to be all, and from the gap, in f64, \
+             wherever g is below the indentation"
         }
         Basis::Searched => {
             "decided in f64 from the extrema of g, which were searched and resolved, and from the gap wherever g is below the \

@@ -26,7 +26,7 @@ use crate::run::Stop;
 use crate::scene::{Profile, Scene};
 use crate::solve;
 
-pub use held::Balance;
+pub use held::EnergyBalance;
 pub use history::{Event, History, LoadingPath, Start, State};
 
 /// States as columns of one length, in SI units.

@@ -22,7 +22,7 @@ use crate::answer::{Admission, Cell, List, Value};
 #[cfg(feature = "mp")]
 use crate::solve::certified::Certified;
 #[cfg(feature = "mp")]
-use crate::solve::digits::{agree, decide};
+use crate::solve::digits::agree;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::sample;
 use crate::solve::search::{self, Search};
@@ -81,18 +81,18 @@ impl<'w> IsRoom<'w> for Room<'w> {
         self.at.len()
     }
 
-    /// Proved where g is a closed form.
+    /// Proved where g has enclosures.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if !certified.scene.is_closed() {
+        if !certified.scene.is_enclosed() {
             return Ok(None);
         }
         let radii = self.radii(|| certified.search())?;
-        let items = decide(certified.digits, |precision| {
+        let items = certified.proved(|precision| {
             let model = certified.model::<Interval>(precision)?;
             Ok(points(&model, &radii, &*certified.admissibility()?)?.convert(Enclosure::from))
         })?;
-        Ok(Some(Output::Curve(List::new(Promise::Certified, items))))
+        Ok(items.map(|items| Output::Curve(List::new(Promise::Certified, items))))
     }
 
     #[cfg(feature = "mp")]

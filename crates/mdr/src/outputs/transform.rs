@@ -19,7 +19,7 @@ use crate::answer::{Number, Promise};
 #[cfg(feature = "mp")]
 use crate::solve::certified::Certified;
 #[cfg(feature = "mp")]
-use crate::solve::digits::{agree, decide};
+use crate::solve::digits::agree;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
 
@@ -57,16 +57,16 @@ impl<'w> IsRoom<'w> for Room<'w> {
         self.at.is_empty().then_some("radii: [output.transform] at = [\"…\"]")
     }
 
-    /// Proved where g is a closed form.
+    /// Proved where g has enclosures.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if !certified.scene.is_closed() {
+        if !certified.scene.is_enclosed() {
             return Ok(None);
         }
-        let items = decide(certified.digits, |precision| {
+        let items = certified.proved(|precision| {
             Ok(samples(&certified.model::<Interval>(precision)?, self.at)?.convert(Enclosure::from))
         })?;
-        Ok(Some(Output::Transform(List::new(Promise::Certified, items))))
+        Ok(items.map(|items| Output::Transform(List::new(Promise::Certified, items))))
     }
 
     #[cfg(feature = "mp")]

@@ -128,7 +128,7 @@ impl Scene {
             range_of_adhesion: None,
             has_material: false,
             has_control: false,
-            medium: Medium::HalfSpace,
+            medium: Medium::default(),
             profile,
             control: Control::Indentation,
             path: Vec::new(),

@@ -197,6 +197,15 @@ impl Profile {
         }
     }
 
+    /// Whether g can be enclosed: a closed form, rigorous integrals of a formula, or a sum of these.
+    pub(crate) fn is_enclosed(&self) -> bool {
+        match self {
+            Profile::Shape(_) | Profile::Formula(_) | Profile::Wave(_) => true,
+            Profile::Sum(terms) => terms.iter().all(Profile::is_enclosed),
+            Profile::Table(_) => false,
+        }
+    }
+
     /// Whether it is a formula, or a sum with one.
     pub fn has_formula(&self) -> bool {
         match self {

@@ -5,15 +5,15 @@ use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Result};
-use mdr_core::number::Literal;
 use mdr_core::number::certify::Enclosure;
-use mdr_numeric::admissible::Admissibility;
+use mdr_core::number::{Literal, Precision};
+use mdr_numeric::admissible::{Admissibility, Basis};
 use mdr_numeric::folds::Folds;
 use rug::Float;
 
-use super::digits::{agree, start};
+use super::digits::{MOST_OF_INTEGRALS, agree, decide, decide_within, start};
 use super::model::{Model, SceneReal};
-use super::proof::FoldProof;
+use super::proof::{self, FoldProof};
 use super::refine::refined;
 use super::search::{Search, not_proved};
 use super::states::States;
@@ -45,14 +45,20 @@ impl<'s> Certified<'s> {
         Certified { scene, digits, counts, search, folds, admissibility }
     }
 
-    /// Which states are admissible: by the form of the profile, else in f64.
+    /// Which states are admissible: by the form of the profile, by the proved extrema of g of a formula, else in f64.
     ///
     /// # Errors
     /// A parameter of the profile or the material that is out of its domain; see [`Certified::search`].
     pub(crate) fn admissibility(&self) -> Result<Arc<Admissibility>> {
         let found = once(&self.admissibility, || {
             let rises = self.model::<Float>(start(self.digits))?.transform().rises();
-            Ok(if rises { Arc::new(Admissibility::of_rising()) } else { self.search()?.admissibility() })
+            if rises {
+                return Ok(Arc::new(Admissibility::of_rising()));
+            }
+            let searched = self.search()?.admissibility();
+            let by_integrals = self.scene.profile.has_formula() && self.scene.is_enclosed();
+            let open = by_integrals && searched.basis() != Basis::Bound;
+            Ok(if open { proof::isolated(self, &searched)?.map_or(searched, Arc::new) } else { searched })
         });
         found.cloned()
     }
@@ -77,6 +83,24 @@ impl<'s> Certified<'s> {
         Ok((model, folds))
     }
 
+    /// The digits of enclosures, decided at growing precision; `None` if the profile has no enclosures, or if they leave it open
+    /// for a formula.
+    ///
+    /// # Errors
+    /// Errors of `f`.
+    pub(crate) fn proved<T: Numbers<Enclosure>>(
+        &self,
+        f: impl FnMut(Precision) -> Result<T>,
+    ) -> Result<Option<T::With<Number>>> {
+        if self.scene.is_closed() {
+            return decide(self.digits, f).map(Some);
+        }
+        if !self.scene.is_enclosed() {
+            return Ok(None);
+        }
+        proof::decided(decide_within(MOST_OF_INTEGRALS, start(self.digits), self.digits, f))
+    }
+
     /// The results at values, at two precisions; where these do not agree, each value for itself.
     ///
     /// # Errors
@@ -99,8 +123,8 @@ impl<'s> Certified<'s> {
         }
     }
 
-    /// The folds on which proofs rest: of closed forms, and of tables that are short and leave nothing undecided. A longer or
-    /// a rougher table is better searched.
+    /// The folds on which proofs rest: of closed forms, and of formulas and of tables that are short, where they leave nothing
+    /// undecided. A longer or a rougher table, and a formula with more waves than can be looked at, is better searched.
     ///
     /// # Errors
     /// A range out of its domain; errors of the transform. See [`FoldProof::new`].
@@ -108,6 +132,9 @@ impl<'s> Certified<'s> {
         let folds = once(&self.folds, || {
             Ok(match self.scene.exact_rows() {
                 None if self.scene.is_closed() => Some(FoldProof::new(self)?),
+                None if self.scene.is_enclosed() => {
+                    proof::decided(FoldProof::new(self))?.filter(|folds| folds.complete.proved)
+                }
                 Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?).filter(|folds| folds.complete.proved),
                 _ => None,
             })

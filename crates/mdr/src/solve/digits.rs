@@ -14,7 +14,9 @@ const GUARD: u32 = 32;
 
 /// The precision at which a proved number that may be zero, or a decision, is left undecided, over that to begin with. A number
 /// that is not zero has its digits at any precision that is [needed](next_precision).
-const MOST: u32 = 80;
+pub(crate) const MOST: u32 = 80;
+/// The most for integrals, whose cost grows much faster with the precision.
+pub(crate) const MOST_OF_INTEGRALS: u32 = 6;
 /// The most bits for any number.
 const LIMIT: u32 = 1 << 21;
 
@@ -58,6 +60,20 @@ pub(crate) fn decide<T: Numbers<Enclosure>>(
 /// # Errors
 /// Errors of `f`; [`Error::Undecided`] only when it is the last attempt that returns it.
 pub(crate) fn decide_from<T: Numbers<Enclosure>>(
+    precision: Precision,
+    digits: u32,
+    f: impl FnMut(Precision) -> Result<T>,
+) -> Result<T::With<Number>> {
+    decide_within(MOST, precision, digits, f)
+}
+
+/// Evaluates `f` at growing precision like [`decide_from`], up to `most` times the precision to begin with for all that may be
+/// left undecided: 80 for closed forms, fewer for integrals.
+///
+/// # Errors
+/// Errors of `f`; [`Error::Undecided`] only when it is the last attempt that returns it.
+pub(crate) fn decide_within<T: Numbers<Enclosure>>(
+    most: u32,
     mut precision: Precision,
     digits: u32,
     mut f: impl FnMut(Precision) -> Result<T>,
@@ -65,7 +81,7 @@ pub(crate) fn decide_from<T: Numbers<Enclosure>>(
     let begin = start(digits);
     let mut decided: Vec<Option<Decimal>> = Vec::new();
     loop {
-        let last = precision.bits() >= MOST.saturating_mul(begin.bits());
+        let last = precision.bits() >= most.saturating_mul(begin.bits());
         precision = match f(precision) {
             Err(Error::Undecided { .. }) if !last => next_precision(begin, precision, [None]),
             Err(error) => return Err(error),

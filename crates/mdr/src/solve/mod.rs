@@ -18,6 +18,7 @@ mod admissible;
 pub(crate) mod certified;
 #[cfg(feature = "mp")]
 pub(crate) mod digits;
+mod graded;
 #[cfg(feature = "mp")]
 pub(crate) mod law_branches;
 mod media;
@@ -109,7 +110,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     Ok(Answer {
         arithmetic: scene.arithmetic,
         profile: scene.profile.name(),
-        medium: scene.medium.name(),
+        medium: (!scene.medium.is_half_space()).then(|| scene.medium.name()),
         force_unit: scene.medium.force_unit(),
         control: scene.names_control().then(|| scene.control.kind()),
         notes,

@@ -5,19 +5,22 @@ use std::sync::Arc;
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{self, Control, CountingTransform, Edge, Error, Quantity, Result, Transform};
+use mdr_core::contact::{self, Control, CountingTransform, Edge, Error, ExpressionError, Quantity, Result, Transform};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
-use mdr_core::number::{Dual, Interval};
+use mdr_core::number::{Dual, Interval, Precision};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::medium::{Adhesion, Medium};
 use mdr_numeric::path;
 use mdr_numeric::transform::Quadrature;
+#[cfg(feature = "mp")]
+use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
 
-use super::media::{self, GradedReal};
+use super::graded::GradedReal;
+use super::media;
 use super::weight::weight;
 use crate::run::Counts;
-use crate::scene::{Profile, Scene, Start};
+use crate::scene::{Formula, Profile, Scene, Start};
 #[cfg(feature = "mp")]
 use crate::scene::{double, exactly};
 
@@ -28,6 +31,14 @@ pub(crate) trait SceneReal: Struve + Kappa + GradedReal {
 
     /// The error of a quadrature that a scene accepts, if the arithmetic has more digits than requested.
     fn accepted(_: &Scene, _: Self::Ctx) -> Option<Self> {
+        None
+    }
+
+    /// The transform of a formula, if the arithmetic has a better one than a quadrature.
+    ///
+    /// # Errors
+    /// A name of the formula without a value.
+    fn of_formula(_: &Formula, _: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
         None
     }
 }
@@ -54,11 +65,27 @@ impl SceneReal for rug::Float {
 #[cfg(feature = "mp")]
 impl SceneReal for Interval {
     const INDEX: usize = 2;
+
+    fn of_formula(formula: &Formula, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
+        Some(enclosed(formula, ctx).map(|transform| Box::new(transform) as Box<dyn Transform<Self>>))
+    }
 }
 
 #[cfg(feature = "mp")]
 impl SceneReal for Dual<Interval> {
     const INDEX: usize = 3;
+
+    fn of_formula(formula: &Formula, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
+        let with_slopes = |transform| Box::new(EnclosedWithSlopes::new(transform)) as Box<dyn Transform<Self>>;
+        Some(enclosed(formula, ctx).map(with_slopes))
+    }
+}
+
+/// The transform of a formula by rigorous integrals.
+#[cfg(feature = "mp")]
+fn enclosed(formula: &Formula, ctx: Precision) -> Result<Enclosed> {
+    let enclosed = formula.expression.enclosed(&formula.parameters, &formula.breaks, ctx);
+    Ok(Enclosed::new(enclosed.map_err(unnamed)?, ctx))
 }
 
 /// Profile, material and control in one arithmetic.
@@ -216,19 +243,41 @@ pub(super) fn transform<R: Struve + Kappa>(
     number: &mut dyn FnMut(&Literal) -> R,
     accepted: Option<&R>,
 ) -> Result<Box<dyn Transform<R>>> {
+    by_formulas(profile, ctx, number, accepted, &|_| None)
+}
+
+/// A name of a formula without a value.
+fn unnamed(error: ExpressionError) -> Error {
+    Error::Domain {
+        quantity: Quantity::Parameter("the formula"),
+        value: error.to_string(),
+        requirement: "one whose names all have values",
+    }
+}
+
+/// The transforms of formulas that an arithmetic has in place of quadratures.
+type Formulas<'a, R> = &'a dyn Fn(&Formula) -> Option<Result<Box<dyn Transform<R>>>>;
+
+/// The transformed profile like [`transform`], its formulas in the way of the arithmetic, where it has one.
+pub(super) fn by_formulas<R: Struve + Kappa>(
+    profile: &Profile,
+    ctx: R::Ctx,
+    number: &mut dyn FnMut(&Literal) -> R,
+    accepted: Option<&R>,
+    formulas: Formulas<'_, R>,
+) -> Result<Box<dyn Transform<R>>> {
     Ok(match profile {
         Profile::Shape(shape) => closed_form(shape.map(|_, literal| number(literal)))?,
         Profile::Sum(terms) => {
-            let terms = terms.iter().map(|term| transform(term, ctx, number, accepted)).collect::<Result<_>>()?;
-            Box::new(Sum::new(terms))
+            let terms = terms.iter().map(|term| by_formulas(term, ctx, number, accepted, formulas));
+            Box::new(Sum::new(terms.collect::<Result<_>>()?))
         }
         Profile::Formula(formula) => {
+            if let Some(transform) = formulas(formula) {
+                return transform;
+            }
             let values = formula.parameters.iter().map(|(name, literal)| (name.clone(), number(literal))).collect();
-            let profile = formula.expression.bind_numbers::<R>(ctx, &values).map_err(|error| Error::Domain {
-                quantity: Quantity::Parameter("the formula"),
-                value: error.to_string(),
-                requirement: "one whose names all have values",
-            })?;
+            let profile = formula.expression.bind_numbers::<R>(ctx, &values).map_err(unnamed)?;
             #[cfg(feature = "mp")]
             let profile = profile.broken_at(ctx, &formula.breaks);
             let quadrature = Quadrature::new(profile);

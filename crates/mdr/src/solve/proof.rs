@@ -1,8 +1,11 @@
 //! The contact over enclosures, and all its folds on a range of radii, on which the proofs of other outputs rest.
 
-use mdr_core::contact::{Error, Result};
+use mdr_core::contact::{Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
+use mdr_numeric::admissible::Admissibility;
+use mdr_numeric::contact::Contact;
+use mdr_numeric::medium::Adhesion;
 use mdr_numeric::proof::{EnclosedCurve, ProvedFolds};
 use rug::Float;
 use rug::float::Round;
@@ -51,13 +54,7 @@ impl FoldProof {
     /// # Errors
     /// A range out of its domain; errors of the transform. See [`EnclosedCurve::folds`].
     pub(crate) fn new(certified: &Certified<'_>) -> Result<Self> {
-        let range = match &certified.scene.range {
-            Some(range) => range.clone(),
-            None => {
-                let search = certified.search()?;
-                sample::range(&search.model, search.folds()?, &search.visited())?
-            }
-        };
+        let range = range(certified)?;
         let mut enclosed = Enclosed::new(certified, Precision::new(ISOLATION))?;
         // Cells as close to an equator as folds may be.
         let bits = ISOLATION.max(3 * enclosed.curve().octaves_to_equator()? - ISOLATION);
@@ -86,6 +83,51 @@ impl FoldProof {
         let complete = Completeness { proved: proved.is_complete(), from, to, why: reason(&proved.undecided) };
         Ok(FoldProof { proved, complete })
     }
+}
+
+/// The range that the scene names, else one with all folds that were found in f64.
+fn range(certified: &Certified<'_>) -> Result<[Literal; 2]> {
+    if let Some(range) = &certified.scene.range {
+        return Ok(range.clone());
+    }
+    let search = certified.search()?;
+    let by_integrals = certified.scene.profile.has_formula();
+    sample::range(&search.model, search.folds()?, &search.visited(), by_integrals)
+}
+
+/// The work of adhesion over E*, in powers of two, at which folds are the extrema of g but for 2^−2000 of a length.
+const NEARLY_NONE: i64 = -4000;
+
+/// Admissibility from extrema of g that are proved to be all on the range of the folds, g rising beyond; `None` if they are not.
+/// They are the folds of a contact with next to no adhesion.
+///
+/// # Errors
+/// Errors of the search for folds; a parameter out of its domain.
+pub(super) fn isolated(certified: &Certified<'_>, searched: &Admissibility) -> Result<Option<Admissibility>> {
+    let range = range(certified)?;
+    let precision = Precision::new(ISOLATION);
+    let enclosed = Enclosed::new(certified, precision)?;
+    let plain = nearly_free(&enclosed.value.contact())?;
+    let curve = EnclosedCurve::new(plain.clone(), nearly_free(&enclosed.dual.contact())?);
+    let [lower, upper] = range.each_ref().map(|end| Interval::from_literal(precision, end));
+    let Some(found) = decided(curve.folds(lower.lower(), upper.upper(), BUDGET_OF_ROWS))? else { return Ok(None) };
+    let far = Float::with_val(ISOLATION, Float::i_exp(1, 1 << 20));
+    let beyond = Interval::new(found.range.1.clone(), far);
+    let rises_beyond = plain.transform().outer_radius().is_some()
+        || plain.transform().slope(&beyond).is_ok_and(|slope| *slope.lower() >= 0);
+    if !found.is_complete() || !rises_beyond {
+        return Ok(None);
+    }
+    let extrema: Vec<f64> = found.folds.iter().chain(&found.poles).map(|fold| fold.contact_radius.approx()).collect();
+    let range = [&found.range.0, &found.range.1].map(Float::to_f64);
+    Ok(Some(searched.with_extrema(&plain, &extrema, range)))
+}
+
+/// The contact at fixed grips with next to no adhesion.
+fn nearly_free<R: Real>(contact: &Contact<R>) -> Result<Contact<R>> {
+    let work = contact.modulus().lit(2).powi(NEARLY_NONE) * contact.modulus();
+    let transform = std::sync::Arc::clone(contact.shared_transform());
+    Ok(Contact::sharing(transform, contact.medium().clone(), Adhesion::new(work)?, Control::Indentation))
 }
 
 /// Why folds are all, or are not.

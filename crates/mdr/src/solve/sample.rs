@@ -12,9 +12,12 @@ use super::model::Model;
 const POINTS: usize = 41;
 /// How far a curve goes beyond its folds.
 const MARGIN: f64 = 4.0;
-/// How far folds are proved beyond the folds found in f64.
+/// How far folds are proved beyond the folds found in f64, where g is a closed form or a sum over rows,
 #[cfg(feature = "mp")]
 const REACH: f64 = 1e3;
+/// and where it is an integral, whose cost grows with the waves inside the radius.
+#[cfg(feature = "mp")]
+const REACH_OF_INTEGRALS: f64 = 10.0;
 /// How close to the outer radius of a profile.
 const RIM: f64 = 1e-6;
 
@@ -45,12 +48,18 @@ pub(crate) fn radii(model: &Model<f64>, folds: &Folds<f64>) -> Result<Vec<Litera
 
 #[cfg(feature = "mp")]
 /// The range of contact radii on which all folds are to be proved: far around the folds found in f64 and the kinks, and with the
-/// radii to which the scene leads, to powers of ten.
+/// radii to which the scene leads, to powers of ten; less far where g is an integral.
 ///
 /// # Errors
 /// When w/E* or a fold is out of the range of f64.
-pub(crate) fn range(model: &Model<f64>, folds: &Folds<f64>, visited: &[f64]) -> Result<[Literal; 2]> {
-    let (lower, upper) = proof::range(&model.contact(), folds, REACH, visited);
+pub(crate) fn range(
+    model: &Model<f64>,
+    folds: &Folds<f64>,
+    visited: &[f64],
+    by_integrals: bool,
+) -> Result<[Literal; 2]> {
+    let reach = if by_integrals { REACH_OF_INTEGRALS } else { REACH };
+    let (lower, upper) = proof::range(&model.contact(), folds, reach, visited);
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);
     Ok([power(lower)?, power(upper)?])
 }

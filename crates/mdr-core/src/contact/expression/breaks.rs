@@ -109,6 +109,16 @@ impl Breaks {
         self.outer.as_ref().map(|end| end.sharpened(bits))
     }
 
+    /// The radii of the kinks to so many bits, each with the interval in which it is the only zero of its part.
+    pub(super) fn places(&self, bits: u32) -> Vec<(Float, Interval)> {
+        self.kinks.iter().map(|kink| (kink.sharpened(bits), enclosing(kink.within, BITS))).collect()
+    }
+
+    /// The radius up to which all of them are known; `None` if that is everywhere.
+    pub(super) fn known_to(&self) -> Option<Float> {
+        self.known_to.map(|radius| Float::with_val(BITS, radius))
+    }
+
     /// The break beyond which a part of the formula is not a number.
     fn end_of(&self, node: &Node<Constant>) -> Option<usize> {
         let precision = Precision::new(BITS);

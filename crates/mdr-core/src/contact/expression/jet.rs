@@ -97,7 +97,7 @@ impl Node<Interval> {
 }
 
 impl<C> Node<C> {
-    fn is_constant(&self) -> bool {
+    pub(super) fn is_constant(&self) -> bool {
         match self {
             Node::Variable => false,
             Node::Constant(_) => true,

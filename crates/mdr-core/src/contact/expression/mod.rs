@@ -3,6 +3,8 @@
 #[cfg(feature = "mp")]
 mod breaks;
 #[cfg(feature = "mp")]
+mod enclosed;
+#[cfg(feature = "mp")]
 mod jet;
 #[cfg(feature = "mp")]
 mod lowest;
@@ -10,6 +12,8 @@ mod parse;
 
 #[cfg(feature = "mp")]
 pub use breaks::Breaks;
+#[cfg(feature = "mp")]
+pub use enclosed::{EnclosedFormula, FormulaPart};
 #[cfg(feature = "mp")]
 pub use lowest::{FormulaShape, Lowest, LowestRing};
 
@@ -246,7 +250,7 @@ impl Expression {
 
 impl<C> Node<C> {
     fn operations(&self) -> u64 {
-        /// Of a function.
+        /// The cost of a function.
         const FUNCTION: u64 = 20;
         match self {
             Node::Variable | Node::Constant(_) => 1,

@@ -1,0 +1,471 @@
+//! A formula over sets of numbers, cut where it is not smooth: what a rigorous integral of it needs.
+
+use std::collections::BTreeMap;
+
+use rug::Float;
+
+use super::breaks::Breaks;
+use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
+use crate::calculus::enclose::BOUND_BITS;
+use crate::number::{Analytic, Dual, Euler, Interval, Literal, Precision, Real};
+
+/// Bits beyond those of the precision in which breaks are located.
+const BEYOND: u32 = 8;
+/// Bits in which the signs of the arguments of `abs`, `min` and `max` are decided, at least.
+const SIGN_BITS: u32 = 256;
+/// Relative bits to which breaks are located before they are proved,
+const COARSE: u32 = 45;
+/// and at which the signs beside them are taken.
+const BESIDE: u32 = 38;
+
+/// A formula with values, analytic between its breaks: each part without `abs`, `min` and `max`, by the signs of their
+/// arguments there.
+///
+/// ```
+/// use mdr_core::contact::Expression;
+/// use mdr_core::number::{Interval, Precision, Real, Rectangle};
+/// let formula: Expression = "r^2/2 - max(0, r - 1)".parse()?;
+/// let none = Default::default();
+/// let precision = Precision::new(100);
+/// let enclosed = formula.enclosed(&none, &formula.breaks(&none)?, precision)?;
+/// assert!(enclosed.breaks().len() == 1 && enclosed.breaks()[0].accuracy_bits() >= 100);
+/// // Beyond its end each part has its analytic continuation: r²/2 − (r − 1) at r = 0.
+/// let outer = enclosed.part(1).expect("the signs are decided");
+/// let value = outer.at(&Interval::from_int(precision, 0)).expect("defined");
+/// assert!(value.contains(Interval::from_int(precision, 1).lower()));
+/// # Ok::<(), mdr_core::contact::ExpressionError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct EnclosedFormula {
+    parts: Vec<Option<FormulaPart>>,
+    breaks: Vec<Interval>,
+    jumps: Vec<Option<Vec<Interval>>>,
+    outer: Option<Interval>,
+    known_to: Option<Float>,
+}
+
+/// A formula between two breaks, and its analytic continuation.
+#[derive(Clone, Debug)]
+pub struct FormulaPart {
+    /// In the precision of bounds, and in that of values.
+    trees: [Node<Interval>; 2],
+}
+
+impl Expression {
+    /// The formula over sets of numbers with these values of its parameters, of which the breaks are known.
+    ///
+    /// # Errors
+    /// A parameter without a value, at its column.
+    pub fn enclosed(
+        &self,
+        values: &BTreeMap<String, Literal>,
+        breaks: &Breaks,
+        precision: Precision,
+    ) -> Result<EnclosedFormula, ExpressionError> {
+        let root = self.with_values(values)?;
+        Ok(EnclosedFormula::new(&root, breaks, precision))
+    }
+}
+
+impl EnclosedFormula {
+    fn new(root: &Node<Constant>, breaks: &Breaks, precision: Precision) -> Self {
+        let bits = precision.bits();
+        let fine = precision.max(Precision::new(SIGN_BITS));
+        let tree: Node<Interval> = root.bound(fine);
+        let places = breaks.places(bits + BEYOND);
+        let outer = breaks.outer_radius(bits + BEYOND).map(|radius| around(&radius, bits));
+        let samples = samples(&places, outer.as_ref(), fine);
+        let trees = [BOUND_BITS, bits].map(|bits| root.bound::<Interval>(Precision::new(bits)));
+        let part = |radius: &Option<Interval>| {
+            let [low, high] = trees.each_ref().map(|own| own.resolved(&tree, radius.as_ref()?));
+            Some(FormulaPart { trees: [low?.folded(), high?.folded()] })
+        };
+        let parts = samples.iter().map(part).collect();
+        let (mut located, mut jumps) = (Vec::new(), Vec::new());
+        for ((radius, within), beside) in places.iter().zip(samples.windows(2)) {
+            let [tight, cell] = [around(radius, bits), around(radius, COARSE)].map(|place| place.rounded(fine));
+            let switch = Switch::at(&tree, &cell, beside).filter(|switch| switch.is_only_within(&cell, &tight));
+            located.push(match &switch {
+                Some(_) => around(radius, bits),
+                None => cell.hull(&within.rounded(fine)).rounded(precision),
+            });
+            let jump = switch.and_then(|switch| tree.sides(&Euler::variable(&tight, 2), &switch)?.jump());
+            jumps.push(jump);
+        }
+        EnclosedFormula { parts, breaks: located, jumps, outer, known_to: breaks.known_to() }
+    }
+
+    /// Enclosures of the radii where the formula is not smooth, ascending.
+    pub fn breaks(&self) -> &[Interval] {
+        &self.breaks
+    }
+
+    /// The part before the break with this index, or after the last; `None` if it is not decided.
+    pub fn part(&self, index: usize) -> Option<&FormulaPart> {
+        self.parts.get(index)?.as_ref()
+    }
+
+    /// The jumps of f (zero), of Df and of D²f at a break, D = r d/dr; exactly zero where f' does not jump. `None` if they
+    /// are not known.
+    pub fn jump(&self, index: usize) -> Option<&[Interval]> {
+        self.jumps.get(index)?.as_deref()
+    }
+
+    /// The formula as if it had only the breaks before one with this index.
+    #[must_use]
+    pub fn up_to(&self, index: usize) -> Self {
+        let mut fewer = self.clone();
+        fewer.breaks.truncate(index);
+        fewer.jumps.truncate(index);
+        fewer.parts.truncate(index + 1);
+        fewer
+    }
+
+    /// The radius where the formula ends.
+    pub fn outer_radius(&self) -> Option<&Interval> {
+        self.outer.as_ref()
+    }
+
+    /// The radius up to which all breaks are known; `None` if that is everywhere.
+    pub fn known_to(&self) -> Option<&Float> {
+        self.known_to.as_ref()
+    }
+}
+
+impl FormulaPart {
+    /// f over a set of radii.
+    pub fn at<T: Analytic>(&self, r: &T) -> Option<T> {
+        let tree = if r.bits() <= BOUND_BITS { &self.trees[0] } else { &self.trees[1] };
+        tree.analytic(r)
+    }
+
+    /// (r f')' = f' + r f'' over a cell of radii, which may begin at 0; `None` where it is not bounded.
+    pub fn stretch(&self, r: &Interval) -> Option<Interval> {
+        let tree = if r.precision() <= BOUND_BITS { &self.trees[0] } else { &self.trees[1] };
+        let f = tree.value(&Dual::variable(Dual::variable(r.clone())));
+        let stretch = f.value.slope + f.slope.slope * r;
+        stretch.is_finite().then_some(stretch)
+    }
+}
+
+/// A radius to a relative 2^−bits.
+fn around(radius: &Float, bits: u32) -> Interval {
+    let bits = bits + 2;
+    let width = Float::with_val(bits, radius) >> (bits - 1);
+    Interval::point(Float::with_val(bits, radius)).inflate(&Interval::point(width)).rounded(Precision::new(bits - 2))
+}
+
+/// A radius in each part; `None` where two breaks are too close to each other.
+fn samples(places: &[(Float, Interval)], outer: Option<&Interval>, precision: Precision) -> Vec<Option<Interval>> {
+    let bits = precision.bits();
+    let beside = |radius: &Float, direction: i32| {
+        let radius = Float::with_val(bits, radius);
+        radius.clone() + (radius >> BESIDE) * direction
+    };
+    let mut lower = Float::new(bits);
+    let mut samples = Vec::new();
+    for (radius, _) in places {
+        let upper = beside(radius, -1);
+        samples.push((lower < upper).then(|| Interval::point((lower + upper) / 2u32)));
+        lower = beside(radius, 1);
+    }
+    let last = match outer {
+        Some(outer) => Float::with_val(bits, outer.lower()),
+        None if lower.is_zero() => Float::with_val(bits, 1),
+        None => lower.clone() * 2u32,
+    };
+    samples.push((lower < last).then(|| Interval::point((lower + last) / 2u32)));
+    samples
+}
+
+/// The argument u of each `abs(u)`, or the difference of those of `min` and `max`, that changes its sign at a break.
+struct Switch {
+    /// With the sign of u before the break.
+    arguments: Vec<(Node<Interval>, bool)>,
+}
+
+impl Switch {
+    /// At a cell with one break, from radii on both sides; `None` if a sign is not decided.
+    fn at(tree: &Node<Interval>, cell: &Interval, beside: &[Option<Interval>]) -> Option<Switch> {
+        let [Some(before), Some(after)] = beside else { return None };
+        let mut all = Vec::new();
+        tree.switches(&mut all);
+        let mut arguments: Vec<(Node<Interval>, bool)> = Vec::new();
+        for argument in all {
+            let signs = [is_positive(&argument, before)?, is_positive(&argument, after)?];
+            if signs[0] != signs[1] {
+                if !arguments.iter().any(|(known, _)| known.is_same(&argument)) {
+                    arguments.push((argument, signs[0]));
+                }
+            } else if argument.value(cell).contains_zero() {
+                // It may touch zero.
+                return None;
+            }
+        }
+        Some(Switch { arguments })
+    }
+
+    /// Whether all of them change their signs within a tight interval of a cell, and nowhere else in the cell.
+    fn is_only_within(&self, cell: &Interval, tight: &Interval) -> bool {
+        self.arguments.iter().all(|(argument, positive)| {
+            let Some(over) = argument.analytic(&Euler::variable(cell, 1)) else { return false };
+            let ends = [tight.lower(), tight.upper()].map(|end| is_positive(argument, &Interval::point(end.clone())));
+            !over.derivative(1).contains_zero() && ends == [Some(*positive), Some(!*positive)]
+        })
+    }
+}
+
+/// Derivatives on both sides of a break.
+struct Sides {
+    before: Euler<Interval>,
+    after: Euler<Interval>,
+    /// Up to this order they are the same numbers.
+    smooth: usize,
+}
+
+impl Sides {
+    fn smooth(value: Euler<Interval>) -> Self {
+        Sides { smooth: value.order(), before: value.clone(), after: value }
+    }
+
+    /// A function of one or two numbers with derivatives that are continuous up to an order.
+    fn of(before: Euler<Interval>, after: Euler<Interval>, mut smooth: usize) -> Self {
+        // Numbers that are exactly equal, such as zeros.
+        while smooth < before.order() && before.derivative(smooth + 1) == after.derivative(smooth + 1) {
+            smooth += 1;
+        }
+        Sides { before, after, smooth }
+    }
+
+    /// What jumps: exactly nothing where both sides are the same.
+    fn jump(&self) -> Option<Vec<Interval>> {
+        let at = |k: usize| {
+            let [before, after] = [&self.before, &self.after].map(|side| side.derivative(k));
+            if k <= self.smooth { before.lit(0) } else { after - before }
+        };
+        let jumps: Vec<Interval> = (0..=self.before.order()).map(at).collect();
+        jumps.iter().all(Real::is_finite).then_some(jumps)
+    }
+}
+
+/// The sign of a part of a formula at a radius, if it is certain.
+fn is_positive(node: &Node<Interval>, radius: &Interval) -> Option<bool> {
+    let value = node.value(radius);
+    match (*value.lower() > 0, *value.upper() < 0) {
+        (true, _) => Some(true),
+        (_, true) => Some(false),
+        _ => None,
+    }
+}
+
+impl Node<Interval> {
+    /// Whether both are written in the same way. (Enclosures that are no points are not equal, as numbers.)
+    fn is_same(&self, other: &Node<Interval>) -> bool {
+        match (self, other) {
+            (Node::Variable, Node::Variable) => true,
+            (Node::Constant(a), Node::Constant(b)) => a.lower() == b.lower() && a.upper() == b.upper(),
+            (Node::Negative(x), Node::Negative(y)) => x.is_same(y),
+            (Node::Power(x, n), Node::Power(y, k)) => n == k && x.is_same(y),
+            (Node::Function(f, x), Node::Function(g, y)) => f == g && x.is_same(y),
+            (Node::Operation(f, a, b), Node::Operation(g, c, d)) => f == g && a.is_same(c) && b.is_same(d),
+            _ => false,
+        }
+    }
+
+    /// The arguments whose signs matter: of `abs`, of the root of a square, and the differences of those of `min` and `max`.
+    fn switches(&self, found: &mut Vec<Node<Interval>>) {
+        if let Some(argument) = self.switch() {
+            found.push(argument);
+        }
+        match self {
+            Node::Variable | Node::Constant(_) => {}
+            Node::Negative(x) | Node::Power(x, _) | Node::Function(_, x) => x.switches(found),
+            Node::Operation(_, a, b) => {
+                a.switches(found);
+                b.switches(found);
+            }
+        }
+    }
+
+    fn switch(&self) -> Option<Node<Interval>> {
+        match self {
+            Node::Function(Function::Abs, x) => Some((**x).clone()),
+            Node::Function(Function::Sqrt, x) => match &**x {
+                Node::Power(base, 2) => Some((**base).clone()),
+                _ => None,
+            },
+            Node::Operation(Operator::Minimum | Operator::Maximum, a, b) => {
+                Some(Node::Operation(Operator::Subtract, a.clone(), b.clone()))
+            }
+            _ => None,
+        }
+    }
+
+    /// What a switch is where its argument has a sign.
+    fn switched(&self, positive: bool) -> Node<Interval> {
+        let signed = |x: &Node<Interval>| if positive { x.clone() } else { Node::Negative(Box::new(x.clone())) };
+        match self {
+            Node::Function(_, x) => match &**x {
+                Node::Power(base, 2) if matches!(self, Node::Function(Function::Sqrt, _)) => signed(base),
+                x => signed(x),
+            },
+            Node::Operation(operator, a, b) => {
+                let first = positive == (*operator == Operator::Maximum);
+                if first { (**a).clone() } else { (**b).clone() }
+            }
+            other => other.clone(),
+        }
+    }
+
+    /// The formula without switches, by the signs of their arguments in a twin with more bits at a radius; `None` if one is
+    /// not certain.
+    fn resolved(&self, twin: &Node<Interval>, radius: &Interval) -> Option<Node<Interval>> {
+        if let Some(argument) = twin.switch() {
+            let positive = is_positive(&argument, radius)?;
+            return self.switched(positive).resolved(&twin.switched(positive), radius);
+        }
+        let inner = |node: &Node<Interval>, twin: &Node<Interval>| node.resolved(twin, radius).map(Box::new);
+        Some(match (self, twin) {
+            (Node::Negative(x), Node::Negative(y)) => Node::Negative(inner(x, y)?),
+            (Node::Power(x, n), Node::Power(y, _)) => Node::Power(inner(x, y)?, *n),
+            (Node::Function(function, x), Node::Function(_, y)) => Node::Function(*function, inner(x, y)?),
+            (Node::Operation(operator, a, b), Node::Operation(_, c, d)) => {
+                Node::Operation(*operator, inner(a, c)?, inner(b, d)?)
+            }
+            (leaf, _) => leaf.clone(),
+        })
+    }
+
+    /// The formula with its constant parts evaluated.
+    fn folded(&self) -> Node<Interval> {
+        if self.is_constant() {
+            let any = self.any_constant();
+            return Node::Constant(self.value(&any));
+        }
+        let fold = |x: &Node<Interval>| Box::new(x.folded());
+        match self {
+            Node::Negative(x) => Node::Negative(fold(x)),
+            Node::Power(x, n) => Node::Power(fold(x), *n),
+            Node::Function(function, x) => Node::Function(*function, fold(x)),
+            Node::Operation(operator, a, b) => Node::Operation(*operator, fold(a), fold(b)),
+            other => other.clone(),
+        }
+    }
+
+    /// A constant in it, for its precision.
+    fn any_constant(&self) -> Interval {
+        match self {
+            Node::Constant(constant) => constant.clone(),
+            Node::Variable => Interval::from_int(Precision::new(BOUND_BITS), 0),
+            Node::Negative(x) | Node::Power(x, _) | Node::Function(_, x) => x.any_constant(),
+            Node::Operation(_, a, _) => a.any_constant(),
+        }
+    }
+
+    /// The value over a set; `None` where it is not defined or not analytic, as where a switch is left.
+    fn analytic<T: Analytic>(&self, r: &T) -> Option<T> {
+        Some(match self {
+            Node::Variable => r.clone(),
+            Node::Constant(constant) => r.constant(constant),
+            Node::Operation(Operator::Multiply, a, b) => match (&**a, &**b) {
+                (Node::Constant(factor), x) | (x, Node::Constant(factor)) => x.analytic(r)?.scaled(factor),
+                (a, b) => a.analytic(r)?.product(&b.analytic(r)?),
+            },
+            Node::Operation(Operator::Power, base, exponent) if exponent.is_constant() => {
+                self.unary(&base.analytic(r)?)?
+            }
+            Node::Operation(operator, a, b) => combined(*operator, &a.analytic(r)?, &b.analytic(r)?)?,
+            Node::Negative(x) | Node::Power(x, _) | Node::Function(_, x) => self.unary(&x.analytic(r)?)?,
+        })
+    }
+
+    /// The outermost operation on a value.
+    fn unary<T: Analytic>(&self, x: &T) -> Option<T> {
+        match self {
+            Node::Negative(_) => Some(x.negated()),
+            Node::Power(_, 2) => Some(x.squared()),
+            Node::Power(_, n) => x.raised(*n),
+            Node::Function(function, _) => function.analytic(x),
+            Node::Operation(Operator::Power, _, exponent) => x.power(&exponent.value(&exponent.any_constant())),
+            Node::Operation(..) | Node::Variable | Node::Constant(_) => None,
+        }
+    }
+
+    /// The derivatives on both sides of a break.
+    fn sides(&self, r: &Euler<Interval>, switch: &Switch) -> Option<Sides> {
+        if let Some(argument) = self.switch() {
+            return self.switched_sides(&argument, r, switch);
+        }
+        Some(match self {
+            Node::Variable => Sides::smooth(r.clone()),
+            Node::Constant(constant) => Sides::smooth(r.constant(constant)),
+            Node::Operation(Operator::Power, x, exponent) if exponent.is_constant() => {
+                let x = x.sides(r, switch)?;
+                Sides::of(self.unary(&x.before)?, self.unary(&x.after)?, x.smooth)
+            }
+            Node::Operation(operator, a, b) => {
+                let (a, b) = (a.sides(r, switch)?, b.sides(r, switch)?);
+                let side = |a: &Euler<Interval>, b: &Euler<Interval>| combined(*operator, a, b);
+                Sides::of(side(&a.before, &b.before)?, side(&a.after, &b.after)?, a.smooth.min(b.smooth))
+            }
+            Node::Negative(x) | Node::Power(x, _) | Node::Function(_, x) => {
+                let x = x.sides(r, switch)?;
+                Sides::of(self.unary(&x.before)?, self.unary(&x.after)?, x.smooth)
+            }
+        })
+    }
+
+    /// The derivatives on both sides of a break where a switch has an argument that may be zero there.
+    fn switched_sides(&self, argument: &Node<Interval>, r: &Euler<Interval>, switch: &Switch) -> Option<Sides> {
+        let (before, after) = match &switch.arguments[..] {
+            [(known, positive)] if known.is_same(argument) => (*positive, !*positive),
+            // The zeros of different arguments need not be the same.
+            [_, _, ..] => return None,
+            _ => return self.switched(is_positive(argument, r.value())?).sides(r, switch),
+        };
+        let [before, after] = [before, after].map(|positive| self.switched(positive).sides(r, switch));
+        let (before, after) = (before?.before, after?.after);
+        let value = match self {
+            Node::Function(..) => r.value().lit(0),
+            _ => before.value().intersect(after.value())?,
+        };
+        Some(Sides::of(before.with_value(value.clone()), after.with_value(value), 0))
+    }
+}
+
+fn combined<T: Analytic>(operator: Operator, a: &T, b: &T) -> Option<T> {
+    Some(match operator {
+        Operator::Add => a.plus(b),
+        Operator::Subtract => a.minus(b),
+        Operator::Multiply => a.product(b),
+        Operator::Divide => a.quotient(b)?,
+        Operator::Power => b.product(&a.ln()?).exp(),
+        Operator::Minimum | Operator::Maximum => return None,
+    })
+}
+
+impl Function {
+    /// The function over a set.
+    fn analytic<T: Analytic>(self, x: &T) -> Option<T> {
+        let number = |value: i64| Interval::from_int(Precision::new(x.bits()), value);
+        Some(match self {
+            Function::Sqrt => x.sqrt()?,
+            Function::Exp => x.exp(),
+            Function::Ln => x.ln()?,
+            Function::Log10 => x.ln()?.scaled(&(number(1) / Real::ln(&number(10)))),
+            Function::Sin => x.sin_cos().0,
+            Function::Cos => x.sin_cos().1,
+            Function::Atan => x.atan()?,
+            Function::Asin => x.asin()?,
+            Function::Acos => x.constant(&Real::over(number(1).pi(), 2)).minus(&x.asin()?),
+            Function::Sinh => x.sinh_cosh().0,
+            Function::Cosh => x.sinh_cosh().1,
+            Function::Tanh => {
+                let (sinh, cosh) = x.sinh_cosh();
+                sinh.quotient(&cosh)?
+            }
+            Function::Atanh => x.atanh()?,
+            Function::Abs => return None,
+        })
+    }
+}

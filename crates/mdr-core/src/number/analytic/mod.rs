@@ -1,0 +1,141 @@
+//! Functions over sets of numbers, with the question whether they are analytic there.
+
+mod euler;
+mod rectangle;
+
+pub use euler::Euler;
+pub use rectangle::Rectangle;
+
+use super::{Interval, Precision, Real, Special};
+
+/// A set of numbers on which a formula is evaluated: an [`Interval`], a complex [`Rectangle`], or either of these with
+/// derivatives, [`Euler`].
+///
+/// `None` means that the function is not defined on all of the set, or not shown to be analytic there: a root or a logarithm
+/// whose argument meets its cut, a divisor that may be zero, an overflow. Over real intervals a result proves that the
+/// function is defined and continuous; over rectangles, that it is analytic. A result has the precision of `self`.
+///
+/// ```
+/// use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle};
+/// let bits = Precision::new(64);
+/// let [one, two] = [1, 2].map(|k| Interval::from_int(bits, k));
+/// // √z is analytic on [1, 2] + i[1, 2], and not on a rectangle around 0.
+/// let away = Rectangle::new(one.hull(&two), one.hull(&two));
+/// assert!(away.sqrt().is_some());
+/// let around = (-one.clone()).hull(&one);
+/// assert!(Rectangle::new(around.clone(), around).sqrt().is_none());
+/// ```
+pub trait Analytic: Clone {
+    /// Bits in the significand.
+    fn bits(&self) -> u32;
+    /// A real constant.
+    fn constant(&self, value: &Interval) -> Self;
+    /// The sum.
+    fn plus(&self, other: &Self) -> Self;
+    /// The difference.
+    fn minus(&self, other: &Self) -> Self;
+    /// The product.
+    fn product(&self, other: &Self) -> Self;
+    /// The product with a real constant.
+    fn scaled(&self, factor: &Interval) -> Self;
+    /// The square, which may be tighter than the product with itself.
+    fn squared(&self) -> Self;
+    /// The quotient.
+    fn quotient(&self, divisor: &Self) -> Option<Self>;
+    /// An integer power.
+    fn raised(&self, exponent: i64) -> Option<Self>;
+    /// The power x^y = e^(y ln x) with a real constant exponent.
+    fn power(&self, exponent: &Interval) -> Option<Self>;
+    /// The square root.
+    fn sqrt(&self) -> Option<Self>;
+    /// e^x.
+    fn exp(&self) -> Self;
+    /// The natural logarithm.
+    fn ln(&self) -> Option<Self>;
+    /// The sine and the cosine.
+    fn sin_cos(&self) -> (Self, Self);
+    /// The hyperbolic sine and cosine.
+    fn sinh_cosh(&self) -> (Self, Self);
+    /// arctan x.
+    fn atan(&self) -> Option<Self>;
+    /// arcsin x.
+    fn asin(&self) -> Option<Self>;
+    /// artanh x.
+    fn atanh(&self) -> Option<Self>;
+    /// Whether both ends of every part are numbers.
+    fn is_bounded(&self) -> bool;
+
+    /// An integer.
+    fn integer(&self, value: i64) -> Self {
+        self.constant(&Interval::from_int(Precision::new(self.bits()), value))
+    }
+    /// −x.
+    fn negated(&self) -> Self {
+        self.scaled(&Interval::from_int(Precision::new(self.bits()), -1))
+    }
+}
+
+/// The value, if every step was in its domain.
+fn defined(value: Interval) -> Option<Interval> {
+    Real::is_finite(&value).then_some(value)
+}
+
+impl Analytic for Interval {
+    fn bits(&self) -> u32 {
+        self.lower().prec()
+    }
+    fn constant(&self, value: &Interval) -> Self {
+        value.rounded(self.ctx())
+    }
+    fn plus(&self, other: &Self) -> Self {
+        self.clone() + other
+    }
+    fn minus(&self, other: &Self) -> Self {
+        self.clone() - other
+    }
+    fn product(&self, other: &Self) -> Self {
+        self.clone() * other
+    }
+    fn scaled(&self, factor: &Interval) -> Self {
+        self.clone() * factor
+    }
+    fn squared(&self) -> Self {
+        Real::square(self)
+    }
+    fn quotient(&self, divisor: &Self) -> Option<Self> {
+        if divisor.contains_zero() { None } else { defined(self.clone() / divisor) }
+    }
+    fn raised(&self, exponent: i64) -> Option<Self> {
+        defined(self.powi(exponent))
+    }
+    fn power(&self, exponent: &Interval) -> Option<Self> {
+        defined(self.pow(&exponent.rounded(self.ctx())))
+    }
+    fn sqrt(&self) -> Option<Self> {
+        defined(Real::sqrt(self))
+    }
+    fn exp(&self) -> Self {
+        Real::exp(self)
+    }
+    fn ln(&self) -> Option<Self> {
+        defined(Real::ln(self))
+    }
+    fn sin_cos(&self) -> (Self, Self) {
+        (Special::sin(self), Special::cos(self))
+    }
+    fn sinh_cosh(&self) -> (Self, Self) {
+        (Special::sinh(self), Special::cosh(self))
+    }
+    fn atan(&self) -> Option<Self> {
+        defined(Special::atan(self))
+    }
+    fn asin(&self) -> Option<Self> {
+        defined(Special::asin(self))
+    }
+    fn atanh(&self) -> Option<Self> {
+        defined(Special::atanh(self))
+    }
+    fn is_bounded(&self) -> bool {
+        Real::is_finite(self)
+    }
+}

@@ -1,0 +1,211 @@
+//! g, g', g'' and the mean of formulas as enclosures, against closed forms and against quadratures of many digits.
+#![cfg(feature = "mp")]
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::sync::Arc;
+
+use mdr_core::contact::{Control, Error, Expression, FoldKind, Material, Transform};
+use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
+use mdr_numeric::contact::Contact;
+use mdr_numeric::proof::EnclosedCurve;
+use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes, Quadrature};
+use proptest::prelude::*;
+use rug::Float;
+
+/// Formulas, a radius, and g there by routes that share nothing with enclosures: Struve and Γ functions, artanh, and a
+/// quadrature of 240 digits that is split around the dip.
+#[rustfmt::skip]
+const CLOSED: [(&str, &str, &str); 4] = [
+    ("r^2/2 + 5e-4*(1 - cos(20*pi*r))", "0.09", "0.007113336583370309697484406286834763264881201126187106371545616557217598055448475451191102285888525440834509956271296016224588533701559640373199198747890921714687238236054716803319639041424989130684948061786941008887259599675197498082"),
+    ("r^0.25", "1.7", "1.328657888132246719110117310998104308591702074718780929090340753311004809451632889246735020362752153313288443762635240754803384927638647677639331894542179883496994092626752115850532422144882421673036636781238709988180595787034949656"),
+    ("1 - sqrt(1 - r^2)", "0.9", "1.324997540624898207004062344349534091756820667584607968342082106384181715928888779921371272717082953108668284949337561357059879205806594275069084997841720394137514376201845420856327900324435271574124850780163163981966647580832459794"),
+    ("r^2/2 - 0.2*(exp(-(10000*(r - 0.5037))^2) - exp(-(10000*0.5037)^2))", "0.6", "0.3603091808568596376507771918510198214228561314954978924189509809762026219303634361149507919317023848939164095466652998466461403204246025502019796327509638084371533606191178629216774259645728541429361857895724879514159352198723242098"),
+];
+
+fn enclosed(formula: &str, bits: u32) -> Enclosed {
+    let (formula, none) = (formula.parse::<Expression>().unwrap(), Default::default());
+    let precision = Precision::new(bits);
+    Enclosed::new(formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap(), precision)
+}
+
+fn number(text: &str, bits: u32) -> Interval {
+    Interval::from_literal(Precision::new(bits), &text.parse::<Literal>().unwrap())
+}
+
+fn quadrature(formula: &str, bits: u32) -> impl Transform<Float> {
+    let (formula, none) = (formula.parse::<Expression>().unwrap(), Default::default());
+    let precision = Precision::new(bits);
+    let breaks = formula.breaks(&none).unwrap();
+    Quadrature::new(formula.bind::<Float>(precision, &none).unwrap().broken_at(precision, &breaks))
+}
+
+/// At 20, 50 and 200 digits, and at so few bits that a missing remainder would show.
+#[test]
+fn closed_forms_are_contained() {
+    for (formula, x, truth) in CLOSED {
+        let truth = number(truth, 900).inflate(&number("1e-231", 900));
+        for bits in [16, 24, 40, 64, 114, 214, 712] {
+            let g = enclosed(formula, bits).g(&number(x, bits)).unwrap();
+            assert!(g.overlaps(&truth), "{formula} at {bits} bits: {g} without {truth}");
+            assert!(g.accuracy_bits() > i64::from(bits) - 24, "{formula} at {bits} bits: {g}");
+        }
+    }
+}
+
+/// What two precisions of a quadrature agree on.
+fn agreed(formula: &str, x: &str, what: impl Fn(&dyn Transform<Float>, &Float) -> Float) -> Option<Interval> {
+    let [coarse, fine] = [160, 220].map(|bits| {
+        let x = Float::from_literal(Precision::new(bits), &x.parse().unwrap());
+        what(&quadrature(formula, bits), &x)
+    });
+    let apart = Float::with_val(220, &fine - &coarse).abs();
+    let size = fine.clone().abs();
+    (apart < size >> 100u32).then(|| Interval::point(fine).inflate(&Interval::point(apart)))
+}
+
+fn holds(formula: &str, x: &str) {
+    let at = number(x, 80);
+    let values = enclosed(formula, 80);
+    let found = [values.g(&at), values.slope(&at), values.mean(&at)].map(Result::unwrap);
+    let wanted = [
+        agreed(formula, x, |transform, x| transform.g(x).unwrap()),
+        agreed(formula, x, |transform, x| transform.slope(x).unwrap()),
+        agreed(formula, x, |transform, x| transform.mean(x).unwrap()),
+    ];
+    for (found, wanted) in found.iter().zip(&wanted) {
+        let Some(wanted) = wanted else { continue };
+        assert!(found.overlaps(wanted), "{formula} at {x}: {found} without {wanted}");
+    }
+    // g'' by the mean value theorem: between the slopes at both ends of a small interval.
+    let ends = [at.clone(), at.clone() + number("1e-9", 80)];
+    let slopes = ends.each_ref().map(|end| values.slope(end).unwrap());
+    let over = EnclosedWithSlopes::new(values).slope(&Dual::variable(ends[0].hull(&ends[1]))).unwrap();
+    let [first, last] = slopes;
+    let chord = (last - &first) / (ends[1].clone() - &ends[0]);
+    assert!(over.slope.overlaps(&chord) && over.value.overlaps(&first), "{formula} at {x}: {} {chord}", over.slope);
+}
+
+#[test]
+fn quadratures_are_contained() {
+    for formula in [
+        "r",
+        "r^2/2",
+        "r^1.37",
+        "3*r^(1/2)",
+        "0.1*(sqrt(r^2 + 0.01) - 0.1)",
+        "r^2/2 + 0.01*sin(30*r)*r",
+        "r^2*exp(-r)/(1 + r^2)",
+        "cosh(r) - 1 + tanh(r^2)",
+        "ln(1 + r^2) + log10(1 + r)",
+        "atan(r)*r + asin(r/9) - acos(r/9) + acos(0)",
+        "atanh(r/7) + sinh(r)^2",
+        "r^2/2 - 0.1*max(0, r - 0.3)",
+        "abs(r - 0.5) + r - 0.5",
+        "r^2 + max(0, r - 0.4)^2",
+        "min(r^2, 0.3*r) + 0.1*abs(sin(3*r))",
+        "sqrt((r - 0.5)^2) + r^2 + r - 0.5",
+        "r^2/2 + (2 + sin(r))^(r)*r - r",
+    ] {
+        for x in ["0.11", "0.77", "2.1"] {
+            holds(formula, x);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Sums of powers, waves, dips and kinks.
+    #[test]
+    fn random_formulas_are_contained(
+        n in 2i32..60, c in -20i32..20, k in 1i32..90, b in 1i32..30, s in 1i32..50, t in -9i32..9, x in 5i32..30,
+    ) {
+        let formula = format!(
+            "r^({n}/10) + 0.0{k}*sin({k}*r)*r + 0.{c}*(exp(-((r - 0.{b})*{s})^2) - exp(-(0.{b}*{s})^2)) + {t}*max(0, r - 0.{b})",
+            c = c.abs(),
+        );
+        holds(&formula, &format!("{}", f64::from(x) / 10.0));
+    }
+}
+
+/// Over an interval of radii: the values at radii inside, and narrow where the interval is.
+#[test]
+fn intervals_of_radii_are_contained() {
+    for (formula, x, _) in CLOSED {
+        let values = enclosed(formula, 64);
+        let below = number(x, 64);
+        for width in ["1e-3", "1e-5", "1e-8"] {
+            let over = (below.clone() - number(width, 64) * &below).hull(&below);
+            let wide = [values.g(&over), values.mean(&over), values.slope(&over)].map(Result::unwrap);
+            for share in 0..=4 {
+                let at = below.clone() - (number(width, 64) * &below).times(share).over(5);
+                let at = at.midpoint();
+                let narrow = [values.g(&at), values.mean(&at), values.slope(&at)].map(Result::unwrap);
+                for (wide, narrow) in wide.iter().zip(narrow) {
+                    assert!(wide.overlaps(&narrow), "{formula} over {over}: {wide} without {narrow}");
+                }
+            }
+        }
+        if formula.contains("exp") {
+            continue;
+        }
+        // Up to 1.8 times the width by the slope, with what the rules leave.
+        let over = below.clone().inflate(&(number("1e-8", 64) * &below));
+        let (g, slope) = (values.g(&over).unwrap(), values.slope(&over).unwrap());
+        let width = Interval::point(over.radius()) * slope.abs();
+        assert!(Interval::point(g.radius()) < width.times(2), "{formula}: {g}");
+    }
+    // One integral shows that no fold of the wave lies in [0.09, 0.1].
+    let wave = enclosed(CLOSED[0].0, 64);
+    let slope = wave.slope(&number("0.09", 64).hull(&number("0.1", 64))).unwrap();
+    assert!(*slope.lower() > 0.1 && *slope.upper() < 0.4, "{slope}");
+}
+
+/// g of max(0, r − 1) is x arccos(1/x), with an infinite slope after the kink, and that of its square has none.
+#[test]
+fn kinks_bound_the_slope_beside_them() {
+    let margin = number("1e-3", 64);
+    let edge = enclosed("r^2/2 + max(0, r - 1)", 64);
+    let kink = edge.kink(0, &margin).unwrap().expect("known");
+    let (g, mean) = kink.value.unwrap();
+    assert!((g.approx() - 1.0).abs() < 1e-15 && (mean.approx() - 1.0 / 3.0).abs() < 1e-15);
+    assert!(kink.outside.greatest.is_none() && *kink.outside.least.unwrap().lower() > 20);
+    assert!((kink.inside.least.unwrap().approx() - 2.0).abs() < 2e-3);
+    let down = enclosed("r^2/2 - max(0, r - 1)", 64).kink(0, &margin).unwrap().expect("known");
+    assert!(down.outside.least.is_none() && *down.outside.greatest.unwrap().upper() < -15);
+    let smooth = enclosed("r^2/2 + max(0, r - 1)^2", 64).kink(0, &margin).unwrap().expect("known");
+    let slopes = smooth.outside.greatest.unwrap();
+    assert!(*slopes.lower() > 1.9 && *slopes.upper() < 2.3, "{slopes}");
+}
+
+#[test]
+fn radii_out_of_the_domain_are_refused() {
+    let sphere = enclosed("1 - sqrt(1 - r^2)", 64);
+    for x in ["1", "1.5", "0", "-1"] {
+        let error = sphere.g(&number(x, 64)).unwrap_err();
+        assert!(matches!(error, Error::Domain { .. }), "{x}: {error}");
+    }
+    assert!(sphere.g(&number("0.99999999", 64)).unwrap().accuracy_bits() > 30);
+}
+/// The extrema of g of (r²/2 − max(0, r − c)/10), c = 1/10 no binary fraction: a maximum at the kink, and a minimum beyond.
+#[test]
+fn folds_of_a_kinked_formula_are_proved() {
+    let transform = enclosed("r^2/2 - 0.1*max(0, r - 0.1)", 64);
+    let (plain, moving) = (Arc::new(transform.clone()), Arc::new(EnclosedWithSlopes::new(transform)));
+    let [one, work] = ["1", "1e-12"].map(|text| number(text, 64));
+    let material = Material::new(Dual::constant(one.clone()), Dual::constant(work.clone())).unwrap();
+    let moving = Contact::half_space(&moving, &material, &Control::Indentation);
+    let plain = Contact::half_space(&plain, &Material::new(one, work).unwrap(), &Control::Indentation);
+    let found =
+        EnclosedCurve::new(plain, moving).folds(number("1e-6", 64).lower(), number("1", 64).lower(), 2000).unwrap();
+    assert!(found.is_complete(), "{:?}", found.undecided);
+    let folds: Vec<(FoldKind, f64)> =
+        found.folds.iter().map(|fold| (fold.kind, fold.contact_radius.approx())).collect();
+    let [(FoldKind::Minimum, _), (FoldKind::Maximum, kink), (FoldKind::Minimum, beyond)] = folds[..] else {
+        panic!("{folds:?}")
+    };
+    // g' = 2x − arccos(c/x)/10 − (c/x)/(10 √(1 − c²/x²)) vanishes there, but for Δl'.
+    let share: f64 = 0.1 / beyond;
+    let slope = 2.0 * beyond - 0.1 * share.acos() - 0.1 * share / (1.0 - share * share).sqrt();
+    assert!((kink - 0.1).abs() < 1e-16 && slope.abs() < 1e-5, "{folds:?} {slope}");
+}
