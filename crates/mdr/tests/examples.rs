@@ -30,7 +30,7 @@ fn names() -> Vec<String> {
 #[cfg(feature = "mp")]
 #[test]
 fn certified_answers_are_those_of_the_command_line() {
-    for name in ["figure-4", "machine", "cone", "expression", "transform", "kinked"] {
+    for name in ["figure-4", "machine", "cone", "expression", "transform", "kinked", "hysteresis"] {
         let golden = std::fs::read_to_string(root().join(format!("tests/command_line/scenes/{name}.json"))).unwrap();
         assert_eq!(scene(name).solve().unwrap().to_json().trim(), golden.trim(), "{name}");
     }
