@@ -126,7 +126,7 @@ pub mod contact {
     pub use mdr_numeric::function::{Differentiated, Function};
     pub use mdr_numeric::medium::{Adhesion, Medium};
     pub use mdr_numeric::path;
-    pub use mdr_numeric::transform::{Line, Powers, Quadrature, Wave, Weighted, graded_kappa};
+    pub use mdr_numeric::transform::{LineLoad, Powers, Quadrature, Wave, Weighted, graded_kappa};
 }
 
 /// The reader of TOML and JSON with places, for documents that contain parts of scenes: a fit, for example.

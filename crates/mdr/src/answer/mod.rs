@@ -48,8 +48,8 @@ pub struct Answer {
     pub arithmetic: Arithmetic,
     /// The name of the profile.
     pub profile: &'static str,
-    /// The name of the medium.
-    pub medium: &'static str,
+    /// The name of the medium; `None` on a homogeneous half-space.
+    pub medium: Option<&'static str>,
     /// The unit of forces: N, per length N/m, or per area Pa.
     pub force_unit: &'static str,
     /// The kind of controlled quantity; `None` if nothing is controlled.
