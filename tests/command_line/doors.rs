@@ -95,7 +95,7 @@ fn nesting_is_refused_at_a_stated_depth() {
     write("batch.jsonl", &format!("{{\"n\":{open}{close}}}\n{{\"n\":2,\"c\":1,\"e_star\":1,\"work\":1}}\n"));
     let asked = sh(&folder, "mdr critical --f64 --batch batch.jsonl");
     assert_eq!((asked.status.code(), asked.stdout.iter().filter(|byte| **byte == b'\n').count()), (Some(1), 2));
-    refused(&folder, "mdr verify --merge lines.jsonl", &["line 1 is not a line of a verification"]);
+    refused(&folder, "mdr verify --merge lines.jsonl", &["line 1 is no line of a verification"]);
 }
 
 #[test]

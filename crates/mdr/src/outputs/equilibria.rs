@@ -4,9 +4,11 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Edge, Result, Stability};
 #[cfg(feature = "mp")]
 use mdr_core::contact::{Control, Error, Quantity};
+use mdr_core::number::Literal;
+#[cfg(feature = "mp")]
+use mdr_core::number::Real;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
-use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::{Admissibility, Verdict};
 #[cfg(feature = "mp")]
 use mdr_numeric::{branch::EquilibriumBranches, proof::ProvedBranches};

@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use mdr_core::text::excerpt;
 
-use super::tree::{DEEPEST, Document, Files, Node, Section};
+#[cfg(feature = "toml")]
+use super::tree::Node;
+use super::tree::{DEEPEST, Document, Files, Section};
 use crate::error::{Error, Result};
 use crate::files;
 

@@ -332,6 +332,7 @@ fn numbers<R: SceneReal>(states: &States<'_, R>) -> Result<PathNumbers<Estimate<
 ///
 /// # Errors
 /// No stable equilibrium at the first way point; errors of the transform.
+#[cfg(feature = "mp")]
 pub(crate) fn followed(search: &Search<'_>) -> Result<mdr_numeric::path::Path<f64>> {
     if search.scene.works.is_some() {
         return edges::with_both(search, |[advancing, receding], _| {
