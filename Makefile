@@ -8,7 +8,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit python oracle book site site-test site-tools
+.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit python oracle jkr capi book site site-test site-tools
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -62,6 +62,14 @@ site-tools:
 # The ready tests of examples/oracle in C++, for Lethe and for LAMMPS, against small codes and against LAMMPS itself.
 oracle:
 	@sh scripts/oracle.sh
+
+# jkr.h against certified values, its snippets and its Fortran module.
+jkr:
+	@sh scripts/jkr.sh
+
+# libmdr and mdr.h in target/capi, for C and what speaks C (without GMP: make capi ARGS=--no-default-features).
+capi: deps
+	@sh scripts/capi.sh $(ARGS)
 
 # Times of Arb, scipy and mpmath beside those of this workspace; installs them below target/.
 peers: build

@@ -30,7 +30,7 @@ export PATH
 rm -rf python/mdr-vectors/build python/mdr-vectors/src/*.egg-info
 
 pytest="$python -m pytest --config-file $package/pyproject.toml --quiet"
-$pytest "$package/tests" "$package/README.md" docs/python.md
+$pytest "$package/tests" "$package/README.md" README.md docs/python.md
 $pytest python/mdr-vectors/tests python/mdr-vectors/README.md examples/oracle/pytest
 $pytest --doctest-modules --pyargs mdr mdr_vectors
 "$python" scripts/notebooks.py

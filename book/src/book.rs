@@ -31,18 +31,18 @@ pub(crate) struct Book<'a> {
     pub(crate) conformance: Vec<Row>,
     pub(crate) figures: Figures,
     bibliography: Bibliography,
-    /// Files of the project to which some page leads.
+    /// BookFiles of the project to which some page leads.
     wanted: BTreeSet<String>,
 }
 
 /// The files of the book by name.
-pub type Files = BTreeMap<String, Vec<u8>>;
+pub type BookFiles = BTreeMap<String, Vec<u8>>;
 
 /// Makes the book from the project at `root`. `explorer`: whether the explorer stands beside it, at `explorer.html`.
 ///
 /// # Errors
 /// A source that is missing or is not as the book needs it.
-pub fn build(root: &Path, explorer: bool) -> Result<Files> {
+pub fn build(root: &Path, explorer: bool) -> Result<BookFiles> {
     let mut book = Book {
         root,
         tex: Tex::new()?,
@@ -219,7 +219,7 @@ impl Book<'_> {
     }
 
     /// The files to which some page leads, as pages or as they are.
-    fn sources(&mut self, contents: &Contents, files: &mut Files) -> Result<()> {
+    fn sources(&mut self, contents: &Contents, files: &mut BookFiles) -> Result<()> {
         for path in &self.wanted {
             let bytes =
                 std::fs::read(self.root.join(path)).map_err(|source| Error::Io { file: path.clone(), source })?;
@@ -335,8 +335,8 @@ fn index(sheets: &[Sheet]) -> String {
 }
 
 /// Style sheet, scripts and fonts.
-fn assets(root: &Path) -> Result<Files> {
-    let mut files = Files::new();
+fn assets(root: &Path) -> Result<BookFiles> {
+    let mut files = BookFiles::new();
     for folder in ["", "fonts/"] {
         let directory = root.join("book/assets").join(folder);
         let io = |source| Error::Io { file: directory.display().to_string(), source };

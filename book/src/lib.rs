@@ -21,5 +21,5 @@ mod tex;
 mod text;
 mod values;
 
-pub use book::{Files, build};
+pub use book::{BookFiles, build};
 pub use error::{Error, Result};

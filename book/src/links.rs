@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::markdown::anchor;
 
 /// The documents that are pages of the book: the file, the page, the part of the contents.
-pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 16] = [
+pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 20] = [
     ("docs/validity.md", "validity", Shelf::Front),
     ("docs/theory.md", "theory", Shelf::Front),
     ("docs/figures.md", "figures", Shelf::Front),
@@ -19,13 +19,17 @@ pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 16] = [
     ("docs/accuracy.md", "accuracy", Shelf::Numbers),
     ("docs/report/README.md", "report", Shelf::Numbers),
     ("docs/compare.md", "compare", Shelf::Numbers),
+    ("docs/bugs-found.md", "bugs-found", Shelf::Numbers),
     ("docs/conformance.md", "conformance", Shelf::Numbers),
     ("docs/proofs/README.md", "proofs", Shelf::Numbers),
     ("docs/scenes.md", "scenes", Shelf::Program),
     ("docs/fit.md", "fit", Shelf::Program),
     ("docs/python.md", "python", Shelf::Program),
+    ("docs/jkr.md", "jkr", Shelf::Program),
+    ("docs/capi.md", "capi", Shelf::Program),
     ("docs/explorer.md", "explorer-help", Shelf::Program),
     ("docs/design.md", "design", Shelf::Program),
+    ("docs/contributing.md", "contributing", Shelf::Program),
 ];
 
 /// A part of the contents.

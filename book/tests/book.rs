@@ -6,15 +6,15 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::OnceLock;
 
-use mdr_book::{Files, build};
+use mdr_book::{BookFiles, build};
 use mdr_symbolic::derivations::{entries, entry};
 
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
-fn book() -> &'static Files {
-    static BOOK: OnceLock<Files> = OnceLock::new();
+fn book() -> &'static BookFiles {
+    static BOOK: OnceLock<BookFiles> = OnceLock::new();
     BOOK.get_or_init(|| build(root(), false).unwrap())
 }
 

@@ -42,6 +42,11 @@ Definition a_k (E k rho : R) : R := k * (rho - 1) / (2 * E * (3 - rho)).
 Definition kappa_gamma (n : R) (Gamma : R -> R) : R := sqrt PI / 2 * n * Gamma (n / 2) / Gamma ((n + 1) / 2).
 Definition h (s : R) : R := 2 * s / ((1 + s) * (1 + 3 * s)).
 Definition q_j (b c j : R) : R := (b + j) / (2 * (c + j)).
+Definition P_w (theta alpha : R) : R := (sin theta) ^ 2 - alpha * sqrt ((sin theta) / (cos theta)).
+Definition alpha_f (theta : R) : R := 4 * Rpower (sin theta) (3 / 2) * Rpower (cos theta) (5 / 2).
+Definition d_p (n E w a Rad : R) : R := a ^ 2 / ((1 + n) * Rad) - sqrt (2 * PI * w * Rpower a (1 - n) / E).
+Definition F_p (n E a d Rad : R) : R := 2 * E * RInt (fun x => Rpower x n * (d - x ^ 2 / ((1 + n) * Rad))) 0 a.
+Definition a_p (n E w Rad : R) : R := Rpower ((3 + n) ^ 2 * (1 + n) ^ 2 * Rad ^ 2 * (B E w) / 4) (1 / (3 + n)).
 
 (** ** 1.1: The MDR transform *)
 (* step_1_1_1: cited *)
@@ -636,3 +641,167 @@ Definition step_wavy_1 : Prop :=
 (* proved *)
 Definition step_wavy_2 : Prop :=
   forall (Rad x : R), 0 < Rad -> 0 < x -> (let n := 2 in let kap := Definitions.kappa n in kap) * x ^ 2 / (2 * Rad) = x ^ 2 / Rad.
+
+(** ** media: Every elastic medium is a row of springs *)
+(* proved *)
+Definition step_media_1 : Prop :=
+  forall (w y Stiff1 Area1 : R), 0 < w -> 0 < y -> 0 < Stiff1 -> 0 < Area1 -> Stiff1 * y ^ 2 / 2 - w * Area1 = Stiff1 / 2 * (y ^ 2 - 2 * w * Area1 / Stiff1).
+(* proved *)
+Definition step_media_2 : Prop :=
+  forall (E w a : R), 0 < E -> 0 < w -> 0 < a -> (let Stiff1 := 2 * E in let Area1 := 2 * PI * a in sqrt (2 * w * Area1 / Stiff1)) = (dl E w a).
+(* proved *)
+Definition step_media_3 : Prop :=
+  forall (E w a Rad : R), 0 < E -> 0 < w -> 0 < a -> 0 < Rad -> (let Stiff1 := 2 * E * a / Rad in let Area1 := 2 * PI * a in sqrt (2 * w * Area1 / Stiff1)) = sqrt (2 * PI * w * Rad / E).
+(* proved *)
+Definition step_media_4 : Prop :=
+  forall (a Stiff Stiff1 el el1 : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < a -> 0 < Stiff -> 0 < Stiff1 -> 0 < el -> 0 < el1 -> Stiff * (g1 a) - (Stiff1 * el + Stiff * el1) = Stiff * ((g1 a) - el1) - Stiff1 * el.
+(* proved *)
+Definition step_media_5 : Prop :=
+  forall (a k Stiff Stiff1 el el1 : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < a -> 0 < k -> 0 < Stiff -> 0 < Stiff1 -> 0 < el -> 0 < el1 -> k * ((g1 a) - el1) + Stiff * ((g1 a) - el1) - Stiff1 * el = (k + Stiff) * ((g1 a) - (el1 + Stiff1 * el / (k + Stiff))).
+(* proved *)
+Definition step_media_6 : Prop :=
+  forall (a k Stiff el xi eta : R), 0 < a -> 0 < k -> 0 < Stiff -> 0 < el -> 0 < xi -> 0 < eta -> (let el1 := eta * el / a in let Stiff1 := xi * Stiff / a in (el1 + Stiff1 * el / (k + Stiff)) / el1) = 1 + xi / eta * Stiff / (k + Stiff).
+(* proved *)
+Definition step_media_7 : Prop :=
+  forall (E a k : R), 0 < E -> 0 < a -> 0 < k -> (let Stiff := 2 * E * a in let eta := 1 / 2 in let xi := 1 in 1 + xi / eta * Stiff / (k + Stiff)) = (lam E a k).
+
+(** ** graded: Half-spaces with a modulus that is a power of the depth *)
+(* step_graded_1: cited *)
+(* proved *)
+Definition step_graded_2 : Prop :=
+  forall (s chi : R), 0 < s -> 0 < chi -> (let eta := (1 - chi) / 2 in let xi := 1 + chi in eta) <> 0 -> (let eta := (1 - chi) / 2 in let xi := 1 + chi in 1 + xi / eta * s / (1 + s)) * (1 - chi) = (1 - chi) + 2 * (1 + chi) * s / (1 + s).
+(* proved *)
+Definition step_graded_3 : Prop :=
+  forall (chi : R), 0 < chi -> (1 - chi) + 2 * (1 + chi) = 3 + chi.
+(* proved *)
+Definition step_graded_4 : Prop :=
+  forall (n chi : R), 0 < n -> 0 < chi -> (let Lambda := 1 - chi in Lambda / n - 2) = (1 - chi - 2 * n) / n.
+(* proved *)
+Definition step_graded_5 : Prop :=
+  forall (n Lambda chi : R), 0 < n -> 0 < Lambda -> 0 < chi -> Lambda - 2 * (n + 1 + chi) = (Lambda / n - 2) * (n + 1 + chi) - Lambda * (1 + chi) / n.
+(* proved *)
+Definition step_graded_6 : Prop :=
+  forall (n chi : R), 0 < n -> 0 < chi -> (let Lambda := 1 - chi in Lambda - 2 * (n + 1 + chi)) = - (2 * n + 1 + 3 * chi).
+(* proved *)
+Definition step_graded_7 : Prop :=
+  forall (n chi : R), 0 < n -> 0 < chi -> (let Lambda := 3 + chi in Lambda - 2 * (n + 1 + chi)) = 1 - chi - 2 * n.
+(* proved *)
+Definition step_graded_8 : Prop :=
+  forall (t s : R), 0 < t -> 0 < s -> (t - 1) / (t + 1) - (t ^ 2 - 1) * s / ((1 + s) * (1 + t ^ 2 * s)) = (t - 1) / (t + 1) * (1 - t * s) ^ 2 / ((1 + s) * (1 + t ^ 2 * s)).
+(* proved *)
+Definition step_graded_9 : Prop :=
+  forall (t : R), 0 < t -> (let chi := (t ^ 2 - 3) / (1 + t ^ 2) in (1 - chi) / 2 + (1 + chi) * (t - 1) / (t + 1)) = (let chi := (t ^ 2 - 3) / (1 + t ^ 2) in (5 - chi) / 2) - 4 * t / (1 + t ^ 2).
+(* proved *)
+Definition step_graded_10 : Prop :=
+  forall (t : R), 0 < t -> (let chi := (t ^ 2 - 3) / (1 + t ^ 2) in (1 - chi) * (3 + chi)) = (4 * t / (1 + t ^ 2)) ^ 2.
+(* proved *)
+Definition step_graded_11 : Prop :=
+  forall (n E w Rad : R), 0 < n -> 0 < E -> 0 < w -> 0 < Rad -> (let a := (a_p n E w Rad) in Derive (fun a => let d := (d_p n E w a Rad) in (F_p n E a d Rad)) a) = 0.
+(* proved *)
+Definition step_graded_12 : Prop :=
+  forall (n E w Rad : R), 0 < n -> 0 < E -> 0 < w -> 0 < Rad -> (let a := (a_p n E w Rad) in let d := (d_p n E w a Rad) in (F_p n E a d Rad)) = - ((3 + n) / 2 * PI * w * Rad).
+
+(** ** line-contact: Line contact of a half-plane *)
+(* proved *)
+Definition step_line_contact_1 : Prop :=
+  forall (n : R), 0 < n -> n * Definitions.kappa (n + 1) / (n + 1) = PI * n / (2 * Definitions.kappa n).
+(* proved *)
+Definition step_line_contact_2 : Prop :=
+  forall (n E w C kap : R), 0 < n -> n <> 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> E * (d_c n E w C kap) = - ((2 * n - 1) / (2 * n) * sqrt (2 * PI * E * w * (a_c n E w C kap))).
+(* proved *)
+Definition step_line_contact_3 : Prop :=
+  forall (E w Rad : R), 0 < E -> 0 < w -> 0 < Rad -> (let C := 1 / (2 * Rad) in let n := 2 in let kap := Definitions.kappa n in let kap := PI / 2 in (a_c n E w C kap)) ^ 3 = 2 * w * Rad ^ 2 / (PI * E).
+(* proved *)
+Definition step_line_contact_4 : Prop :=
+  forall (E w Rad : R), 0 < E -> 0 < w -> 0 < Rad -> (let C := 1 / (2 * Rad) in let n := 2 in let kap := Definitions.kappa n in let kap := PI / 2 in E * (d_c n E w C kap)) ^ 3 = - (27 / 16 * PI * E * w ^ 2 * Rad).
+(* enclosed *)
+Definition step_line_contact_5 : Prop :=
+  4 * Definitions.kappa (1 / 2) / PI > 16692536833 / 10000000000.
+(* enclosed *)
+Definition step_line_contact_6 : Prop :=
+  4 * Definitions.kappa (1 / 2) / PI < 8346268417 / 5000000000.
+(* proved *)
+Definition step_line_contact_7 : Prop :=
+  forall (n E w C kap : R), 1 / 2 < n -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> 2 * w * (a_0 n E w C kap) - RInt (fun x => 2 * w * Rpower (x / (a_0 n E w C kap)) (2 * n - 1)) 0 (a_0 n E w C kap) = (2 - 1 / n) * w * (a_0 n E w C kap).
+
+(** ** wave: Slightly wavy surfaces *)
+(* step_wave_1: cited *)
+(* proved *)
+Definition step_wave_2 : Prop :=
+  forall (theta alpha Pm : R), 0 < theta < PI / 2 -> 0 < alpha -> 0 < Pm -> Derive (fun theta => (sin theta) ^ 4 / 4 - Pm * (sin theta) ^ 2 - alpha ^ 2 * theta) theta + Pm ^ 2 * (cos theta) / (sin theta) = alpha ^ 2 * ((cos theta) / (sin theta) * ((sin theta) ^ 2 - Pm) ^ 2 / alpha ^ 2 - 1).
+(* proved *)
+Definition step_wave_3 : Prop :=
+  forall (theta alpha : R), 0 < theta < PI / 2 -> 0 < alpha -> (cos theta) * ((sin theta) ^ 2 - (P_w theta alpha)) ^ 2 = alpha ^ 2 * (sin theta).
+(* proved *)
+Definition step_wave_4 : Prop :=
+  forall (theta : R), 0 < theta < PI / 2 -> (let alpha := (alpha_f theta) in Derive (fun theta => (P_w theta alpha)) theta) = 0.
+(* proved *)
+Definition step_wave_5 : Prop :=
+  forall (theta : R), 0 < theta < PI / 2 -> (let alpha := (alpha_f theta) in (P_w theta alpha)) = (sin theta) ^ 2 * (4 * (sin theta) ^ 2 - 3).
+(* proved *)
+Definition step_wave_6 : Prop :=
+  forall (theta : R), 0 < theta < PI / 2 -> Derive (fun theta => (alpha_f theta)) theta = 2 * Rpower (sin theta) (1 / 2) * Rpower (cos theta) (3 / 2) * (3 - 8 * (sin theta) ^ 2).
+(* proved *)
+Definition step_wave_7 : Prop :=
+  256 * (3 / 8) ^ 3 * (5 / 8) ^ 5 = 84375 / 65536.
+(* proved *)
+Definition step_wave_8 : Prop :=
+  forall (theta : R), 0 < theta < PI / 2 -> (let alpha := sqrt ((sin theta) ^ 3 * (cos theta)) in (P_w theta alpha)) = 0.
+(* proved *)
+Definition step_wave_9 : Prop :=
+  forall (theta : R), 0 < theta < PI / 2 -> Derive (fun theta => (sin theta) ^ 3 * (cos theta)) theta = (sin theta) ^ 2 * (3 - 4 * (sin theta) ^ 2).
+(* proved *)
+Definition step_wave_10 : Prop :=
+  (3 / 4) ^ 3 / 4 = 27 / 256.
+(* proved *)
+Definition step_wave_11 : Prop :=
+  (let alpha := 1 / sqrt (2 * PI) in 1 / 4 - PI * alpha ^ 2 / 2) = 0.
+
+(** ** wave-approach: Slightly wavy surfaces under a controlled approach *)
+(* proved *)
+Definition step_wave_approach_1 : Prop :=
+  forall (theta Ls : R), 0 < theta < PI / 2 -> 0 < Ls -> (Ls - 4 * (cos theta) ^ 2) <> 0 -> 2 * (sin theta) * (cos theta) + (let alpha := (alpha_f theta) * Ls / (Ls - 4 * (cos theta) ^ 2) in Derive (fun theta => (P_w theta alpha)) theta * Ls - (P_w theta alpha) * 2 * (cos theta) / (sin theta)) = 0.
+(* proved *)
+Definition step_wave_approach_2 : Prop :=
+  forall (s Ls : R), 0 < s -> 0 < Ls -> (3 - 8 * s) * Ls ^ 2 - 4 * (1 - s) * (3 - 4 * s) * Ls + 16 * (1 - s) ^ 2 = Ls ^ 2 * (let y := 4 * (1 - s) / Ls in y ^ 2 - (3 - 4 * s) * y + (3 - 8 * s)).
+(* proved *)
+Definition step_wave_approach_3 : Prop :=
+  forall (s : R), 0 < s -> (3 - 4 * s) ^ 2 - 4 * (3 - 8 * s) = (4 * s + 3) * (4 * s - 1).
+(* proved *)
+Definition step_wave_approach_4 : Prop :=
+  forall (s : R), 0 < s -> 1 - (3 - 4 * s) + (3 - 8 * s) = 1 - 4 * s.
+(* proved *)
+Definition step_wave_approach_5 : Prop :=
+  (let s := 1 / 4 in 4 * (1 - s)) = 3.
+
+(** ** paper-statements: Four statements of the paper in words *)
+(* proved *)
+Definition step_paper_statements_1 : Prop :=
+  forall (n E w C kap a : R), 0 < n -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> 0 < a -> kap * C * Rpower a n - (d_n n E w C kap a) > 0.
+(* proved *)
+Definition step_paper_statements_2 : Prop :=
+  forall (n E w C kap : R), 0 < n < 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> (d_c n E w C kap) = (1 - 2 * n) * kap * C * Rpower (a_c n E w C kap) n.
+(* proved *)
+Definition step_paper_statements_3 : Prop :=
+  / (1 - 2 / 4) ^ 4 = 16.
+(* proved *)
+Definition step_paper_statements_4 : Prop :=
+  forall (E w a : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < E -> 0 < w -> 0 < a -> sqrt a * Derive (fun a => (d_g E w a g)) a = sqrt a * (g1 a) - sqrt (PI * w / (2 * E)).
+(* proved *)
+Definition step_paper_statements_5 : Prop :=
+  forall (n C kap a : R), 1 / 2 < n -> 0 < C -> 0 < kap -> 0 < a -> Derive (fun a => sqrt a * Derive (fun a => kap * C * Rpower a n) a) a > 0.
+(* proved *)
+Definition step_paper_statements_6 : Prop :=
+  forall (n C kap a : R), 0 < n < 1 / 2 -> 0 < C -> 0 < kap -> 0 < a -> Derive (fun a => sqrt a * Derive (fun a => kap * C * Rpower a n) a) a < 0.
+(* enclosed *)
+Definition step_paper_statements_7 : Prop :=
+  forall (n C a : R), 1 / 2 < n -> 0 < C -> 0 < a -> n = 3 / 4 -> C = 1 -> a = 1 -> Derive (fun a => Derive (fun a => C * Rpower a n) a) a < 0.
+(* proved *)
+Definition step_paper_statements_8 : Prop :=
+  forall (n E w C kap : R), 0 < n -> n <> 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> (let a := (a_c n E w C kap) in sqrt a * Derive (fun a => Derive (fun a => (d_n n E w C kap a)) a) a) = (let a := (a_c n E w C kap) in Derive (fun a => sqrt a * Derive (fun a => kap * C * Rpower a n) a) a).
+(* proved *)
+Definition step_paper_statements_9 : Prop :=
+  forall (n E w C kap : R), 0 < n < 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> (F_c n E w C kap) < 0.
+(* proved *)
+Definition step_paper_statements_10 : Prop :=
+  forall (n E w C kap : R), 0 < n < 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> (F_F n E w C kap) > 0.

@@ -10,14 +10,15 @@ fn version() {
 #[test]
 fn the_overview_lists_every_command() {
     let help = output("--help");
-    for command in ["verify", "critical", "solve", "fit", "report", "figures", "reference", "judge", "derive"] {
+    for command in ["verify", "critical", "solve", "fit", "report", "figures", "reference", "judge", "derive", "cite"] {
         assert!(help.contains(&format!("\n  {command} ")), "{help}");
     }
 }
 
 #[test]
 fn each_command_has_flags_examples_and_exit_statuses() {
-    let cases: [(&str, &[&str]); 9] = [
+    let cases: [(&str, &[&str]); 10] = [
+        ("cite", &["[ANSWER.json]", "--format"]),
         ("report", &["--out", "--quick", "--format"]),
         ("derive", &["[ID]", "--errata", "--format"]),
         ("figures", &["--out", "--format"]),
@@ -67,7 +68,7 @@ fn each_command_has_flags_examples_and_exit_statuses() {
 /// No line after the examples is broken on a terminal of 98 columns, or in a pipe, for which there are 100.
 #[test]
 fn lines_of_the_help_are_not_broken() {
-    for command in ["verify", "critical", "solve", "fit", "report", "figures", "reference", "judge", "derive"] {
+    for command in ["verify", "critical", "solve", "fit", "report", "figures", "reference", "judge", "derive", "cite"] {
         let [wide, narrow] = ["110", "98"].map(|columns| {
             let help = mdr(&format!("{command} --help")).env("COLUMNS", columns).assert().code(0);
             let help = String::from_utf8(help.get_output().stdout.clone()).unwrap();
@@ -82,7 +83,7 @@ fn lines_of_the_help_are_not_broken() {
 fn hardware_arithmetic_promises_what_it_keeps() {
     let promises = |command: &str| output(&format!("{command} --help")).contains("2 units in the last place");
     assert!(promises("critical") && !promises("solve"));
-    assert!(output("solve --help").contains("the condition of what is asked"));
+    assert!(output("solve --help").contains("the condition of the question"));
 }
 
 /// Every example of the help pages runs as it stands.

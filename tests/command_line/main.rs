@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod budgets;
+mod cite;
 mod critical;
 mod decimal;
 mod dependencies;

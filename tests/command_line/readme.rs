@@ -31,11 +31,101 @@ fn transcripts_are_what_the_program_says() {
     }
 }
 
+/// The lines of `sh` blocks with commands `mdr`, run as typed in a folder that has examples/ and docs/. A comment says the exit
+/// status where it is not 0. Without python3 the rest of a block that needs it is left out.
+#[cfg(unix)]
+#[test]
+fn commands_work_as_typed() {
+    let folder = std::env::temp_dir().join(format!("mdr-readme-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    for name in ["examples", "docs"] {
+        std::os::unix::fs::symlink(root().join(name).canonicalize().unwrap(), folder.join(name)).unwrap();
+    }
+    let program = std::path::Path::new(env!("CARGO_BIN_EXE_mdr")).parent().unwrap();
+    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap_or_default());
+    let run = |line: &str| {
+        let mut shell = std::process::Command::new("sh");
+        shell.args(["-c", line]).current_dir(&folder).env("PATH", &path).output().unwrap()
+    };
+    let mut commands = 0;
+    for block in README.split("```sh\n").skip(1).map(|rest| rest.split("```").next().unwrap()) {
+        let foreign = |line: &&str| !["cargo ", "make ", "pip "].iter().any(|tool| line.starts_with(tool));
+        for line in block.lines().filter(foreign) {
+            if line.starts_with("python3 ") && !run("python3 --version").status.success() {
+                break;
+            }
+            let expected = line.split_once("# exit status ").map_or(0, |(_, rest)| rest[..1].parse().unwrap());
+            let found = run(line);
+            assert_eq!(found.status.code(), Some(expected), "{line}: {}", String::from_utf8_lossy(&found.stderr));
+            commands += 1;
+        }
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(commands >= 5, "{commands}");
+}
+
+/// The first lines of the table that the README shows are those of the file.
+#[test]
+fn the_small_table_is_shown_as_it_is() {
+    let file = include_str!("../../docs/reference/jkr-sphere.csv");
+    let (_, text) = README.split_once("[jkr-sphere.csv](docs/reference/jkr-sphere.csv):\n\n```text\n").unwrap();
+    let shown: Vec<_> = text.split("```").next().unwrap().lines().collect();
+    assert!(shown.len() >= 2 && shown[0].contains("contact_radius (m),indentation (m),force (N)"));
+    for line in shown {
+        let line = line.strip_suffix(",…").unwrap();
+        assert!(file.lines().any(|row| row.starts_with(&format!("{line},"))), "{line}");
+    }
+}
+
+/// Each published package has a README of its own, of about ten lines and with an example; it says what is not done.
+#[test]
+fn every_published_package_has_its_own_readme() {
+    let mut published = 0;
+    for entry in std::fs::read_dir(root().join("crates")).unwrap() {
+        let folder = entry.unwrap().path();
+        let manifest = std::fs::read_to_string(folder.join("Cargo.toml")).unwrap();
+        if manifest.contains("publish = false") {
+            continue;
+        }
+        published += 1;
+        let name = manifest.split("name = \"").nth(1).unwrap().split('"').next().unwrap();
+        assert!(manifest.contains("\nreadme = \"README.md\"\n"), "{name}: readme of the manifest");
+        let text = std::fs::read_to_string(folder.join("README.md")).unwrap();
+        assert!(text.starts_with(&format!("# {name}")), "{name}: heading");
+        for part in ["```", "Features: ", "](../../README.md)"] {
+            assert!(text.contains(part) || text.replace("Features, ", "Features: ").contains(part), "{name}: {part}");
+        }
+        assert!((8..=20).contains(&text.lines().count()), "{name}: {} lines", text.lines().count());
+        if let Ok(library) = std::fs::read_to_string(folder.join("src/lib.rs")) {
+            assert!(library.contains("#[doc = include_str!(\"../README.md\")]"), "{name}: its example is no doctest");
+        }
+    }
+    assert!(published >= 10, "{published}");
+}
+
+/// The limits that the README lists are those of the first page of the documentation of Rust.
+#[test]
+fn both_lists_of_limits_are_one() {
+    let limits = |text: &str, prefix: &str| {
+        let (_, text) = text.split_once("# What mdr does not do\n").unwrap();
+        let lines = text.lines().map(|line| line.strip_prefix(prefix).unwrap_or(line).trim_start());
+        let section = lines.take_while(|line| !line.starts_with('#'));
+        let items = section
+            .filter_map(|line| line.strip_prefix("* **"))
+            .map(|item| item.split("**").next().unwrap().trim_end_matches('.').to_owned());
+        items.collect::<Vec<_>>()
+    };
+    let readme = limits(README, "");
+    assert!(readme.len() >= 5);
+    assert_eq!(readme, limits(include_str!("../../crates/mdr/src/lib.rs"), "//!"));
+}
+
 /// All Markdown of the repository: name from its folder, and text.
 fn documents() -> Vec<(PathBuf, String)> {
     let root = root();
-    let folders = ["", "docs", "docs/reference"].map(|folder| root.join(folder));
-    let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap()).map(|entry| entry.unwrap().path());
+    let crates = std::fs::read_dir(root.join("crates")).unwrap().map(|entry| entry.unwrap().path());
+    let folders = ["", "docs", "docs/reference"].map(|folder| root.join(folder)).into_iter().chain(crates);
+    let files = folders.flat_map(|folder| std::fs::read_dir(folder).unwrap()).map(|entry| entry.unwrap().path());
     let pages = files.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
     let documents: Vec<_> = pages.map(|path| (path.clone(), std::fs::read_to_string(path).unwrap())).collect();
     assert!(documents.len() >= 10);

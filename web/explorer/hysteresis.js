@@ -108,7 +108,7 @@ function drawLeaps(leaps) {
     return set(node, { class: 'leap-head', d: `M${x1} ${y1}L${corner(1)}L${corner(-1)}Z` });
   });
 }
-/** What is held: a vertical line, a horizontal one, or the line F = k(D − d) of the machine. */
+/** The controlled quantity: a vertical line, a horizontal one, or the line F = k(D − d) of the machine. */
 function drawHeld() {
   const p = force;
   const [l, t, right, b] = p.box;

@@ -93,7 +93,7 @@ function rebuild() {
 const contactState = ([a, d, F]) => ({ kind: 1, a, d, F });
 const away = () => ({ kind: 0, a: 0, d: P.control === 'F' ? NaN : value, F: 0 });
 const complete = (d = NaN, F = NaN) => ({ kind: 2, a: Infinity, d, F });
-/** A state as the engine tells it: a = 0 apart, NaN in contact everywhere. */
+/** A state as the engine returns it: a = 0 apart, NaN in contact everywhere. */
 const told = (a, d, F) => ({ kind: Number.isNaN(a) ? 2 : a > 0 ? 1 : 0, a: Number.isNaN(a) ? Infinity : a, d, F });
 const restingStates = () => engine.equilibria(value).filter((e) => e[3] > 0);
 const forceAt = (a) => (engine.curve(a, a, 1)[0] || [])[4];

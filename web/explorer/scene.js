@@ -70,7 +70,7 @@ function profileLines({ radius, height }) {
   }
 }
 const CONTROL_KINDS = { d: 'indentation', F: 'force', D: 'machine' };
-/** A scene without outputs: the contact and what is held. */
+/** A scene without outputs: the contact and its control. */
 function sceneHead(units) {
   const lines = [
     '[material]',

@@ -92,3 +92,7 @@ pub use power_law::PowerLaw;
 pub use special::flat_punch_pull_off;
 pub use threshold::{ScaleFreeOutcome, lemniscate_constant, threshold};
 pub use universal::{universal_force, universal_indentation};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

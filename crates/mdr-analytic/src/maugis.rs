@@ -31,6 +31,7 @@ pub fn tabor_number<R: Special>(radius: &R, material: &Material<R>, range: &R) -
 
 /// A contact of a paraboloid with a ring of attraction.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct MaugisState<R> {
     /// The gap at the end of the ring over h₀: 1 in equilibrium.
     pub balance: R,

@@ -214,7 +214,7 @@ fn cells(file: &str, answer: &mdr::Result<Answer>) -> Vec<[String; 7]> {
     match answer {
         Err(error) => vec![[file, "bad-input", &error.to_string(), "", "", "", ""].map(str::to_owned)],
         Ok(answer) => {
-            let row = |estimate: &mdr_fit::Estimate| {
+            let row = |estimate: &mdr_fit::FitEstimate| {
                 let [file, status, name, unit] =
                     [file, answer.status.name(), &estimate.name, estimate.unit].map(str::to_owned);
                 let [value, stderr, scaled] = [estimate.value, estimate.stderr, estimate.scaled_stderr].map(number);

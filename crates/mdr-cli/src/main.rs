@@ -2,6 +2,7 @@
 
 #![forbid(unsafe_code)]
 
+mod cite;
 mod critical;
 mod derive;
 mod error;
@@ -53,6 +54,7 @@ enum Command {
     Derive(derive::Derive),
     Figures(figures::Figures),
     Report(report::Report),
+    Cite(cite::Cite),
     /// Print a completion script for a shell: mdr completions bash > /etc/bash_completion.d/mdr
     Completions {
         /// Which shell
@@ -138,6 +140,7 @@ impl Command {
             Command::Reference(reference) => reference.run(out),
             Command::Judge(judge) => judge.run(out),
             Command::Derive(derive) => derive.run(out),
+            Command::Cite(cite) => cite.run(out).map(|()| true),
             Command::Completions { shell } => {
                 // The writer of scripts panics where it cannot write.
                 let mut script = Vec::new();

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use comfy_table::ColumnConstraint;
-use mdr_crosscheck::{Finding, Level, Options, Report, Row, Shard, Verdict};
+use mdr_crosscheck::{CheckRow, CheckVerdict, Finding, Level, Options, Shard, VerifyReport};
 
 use crate::error::{Failure, Result};
 use crate::flags::{Flag, nearest};
@@ -60,7 +60,7 @@ impl Verify {
         let report = if self.merge.is_empty() { with_progress(&self.options()?) } else { self.merged()? };
         match self.format {
             Format::Json => out.text(report.to_json_lines().trim_end())?,
-            Format::Csv => out.csv(&Row::CSV_HEADER, report.rows.iter().map(Row::to_csv))?,
+            Format::Csv => out.csv(&CheckRow::CSV_HEADER, report.rows.iter().map(CheckRow::to_csv))?,
             Format::Table => out.text(for_reader(&report))?,
         }
         Ok(report.passed())
@@ -99,7 +99,7 @@ impl Verify {
         Err(Failure::flag("--only", why, name))
     }
 
-    fn merged(&self) -> Result<Report> {
+    fn merged(&self) -> Result<VerifyReport> {
         let mut lines = String::new();
         for path in &self.merge {
             let text = mdr::files::argument(path).and_then(mdr::files::text);
@@ -107,7 +107,7 @@ impl Verify {
             lines.push_str(&text);
             lines.push('\n');
         }
-        Report::from_json_lines(&lines).map_err(|error| {
+        VerifyReport::from_json_lines(&lines).map_err(|error| {
             let names: Vec<_> = self.merge.iter().map(|path| path.display().to_string()).collect();
             Failure::flag("--merge", error, &names.join(" "))
         })
@@ -115,7 +115,7 @@ impl Verify {
 }
 
 /// Runs with a progress bar on standard error when that is a terminal.
-fn with_progress(options: &Options) -> Report {
+fn with_progress(options: &Options) -> VerifyReport {
     let bar = progress::bar(0);
     let report = mdr_crosscheck::run(options, &|progress| {
         bar.set_length(progress.total as u64);
@@ -126,14 +126,14 @@ fn with_progress(options: &Options) -> Report {
     report
 }
 
-fn for_reader(report: &Report) -> String {
+fn for_reader(report: &VerifyReport) -> String {
     let mut table = table(&["check", "cases", "worst error", "allowed", "unit", "verdict", "worst case"]);
     for row in &report.rows {
         let [error, allowed, case] = row.decisive().map(Finding::in_short).unwrap_or_default();
         let tone = match row.verdict {
-            Verdict::Pass => CellStyle::Good,
-            Verdict::Fail => CellStyle::Bad,
-            Verdict::Skipped => CellStyle::Faint,
+            CheckVerdict::Pass => CellStyle::Good,
+            CheckVerdict::Fail => CellStyle::Bad,
+            CheckVerdict::Skipped => CellStyle::Faint,
         };
         table.add_row([
             cell(&row.check, CellStyle::Plain),

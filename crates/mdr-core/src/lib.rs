@@ -47,3 +47,7 @@ mod named;
 pub mod number;
 pub mod text;
 pub mod units;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -33,6 +33,8 @@ pub enum SiUnit {
     Joule,
     /// N/m, of the stiffness of a machine.
     NewtonPerMetre,
+    /// Pa/m, of the modulus of a Winkler foundation and of stiffnesses per area.
+    PascalPerMetre,
     /// J/m², of the work of adhesion.
     JoulePerSquareMetre,
     /// Degrees of an angle.
@@ -100,7 +102,7 @@ struct Scale {
 }
 
 impl Scale {
-    /// Of a product or quotient of powers of units: `nm`, `mJ/m^2`, `N/mm²`, `mJ m-2`.
+    /// The scale of a product or quotient of powers of units: `nm`, `mJ/m^2`, `N/mm²`, `mJ m-2`.
     fn of(unit: &str) -> Option<Scale> {
         let mut whole = Scale { dimension: [0; 3], power: 0 };
         for (index, part) in unit.split('/').enumerate() {
@@ -118,7 +120,7 @@ impl Scale {
         Some(whole)
     }
 
-    /// Of one unit, and its exponent: `m`, `m2`, `m^2`, `m²`, `m^-2`.
+    /// The scale of one unit, and its exponent: `m`, `m2`, `m^2`, `m²`, `m^-2`.
     fn of_factor(factor: &str) -> Option<(Scale, i64)> {
         let end = factor.find(|c: char| c.is_ascii_digit() || "^-²³".contains(c)).unwrap_or(factor.len());
         let (name, exponent) = factor.split_at(end);
@@ -151,6 +153,7 @@ impl SiUnit {
             SiUnit::Pascal => "Pa",
             SiUnit::Joule => "J",
             SiUnit::NewtonPerMetre => "N/m",
+            SiUnit::PascalPerMetre => "Pa/m",
             SiUnit::JoulePerSquareMetre => "J/m²",
             SiUnit::Degree => "°",
             SiUnit::Coefficient => "m^(1-n)",
@@ -187,6 +190,7 @@ impl SiUnit {
             SiUnit::Pascal => [1, -2, 0],
             SiUnit::Joule => [1, 1, 0],
             SiUnit::NewtonPerMetre | SiUnit::JoulePerSquareMetre => [1, -1, 0],
+            SiUnit::PascalPerMetre => [1, -3, 0],
             SiUnit::Degree => [0, 0, 1],
             SiUnit::One | SiUnit::Coefficient | SiUnit::Unstated => return None,
         })
@@ -209,6 +213,7 @@ impl SiUnit {
             SiUnit::Pascal => &["Pa", "kPa", "MPa", "GPa"],
             SiUnit::Joule => &["J", "nJ", "pJ", "fJ", "aJ"],
             SiUnit::NewtonPerMetre => &["N/m", "mN/m", "nN/nm", "pN/nm"],
+            SiUnit::PascalPerMetre => &["Pa/m", "kPa/m", "MPa/m", "GPa/m", "N/m^3"],
             SiUnit::JoulePerSquareMetre => &["J/m^2", "mJ/m^2", "N/m", "mN/m"],
             SiUnit::Degree => &["deg", "degrees"],
             SiUnit::Unstated => &["m", "um", "nm", "N", "nN", "Pa", "kPa", "MPa", "GPa", "N/m", "J/m^2", "mJ/m^2"],

@@ -1,6 +1,6 @@
 //! Closed forms against the independent route, over parameter grids, with derived error bounds.
 //!
-//! [`run`] takes [`Options`] and gives a [`Report`]: one [`Row`] a check, with the worst error found, the error allowed
+//! [`run`] takes [`Options`] and gives a [`VerifyReport`]: one [`CheckRow`] a check, with the worst error found, the error allowed
 //! for that case, and the case itself. A check compares two routes that share no formula. What it allows is derived from
 //! the error bounds of both routes and the condition of the question (module `tolerance`), never from the results.
 //!
@@ -13,7 +13,7 @@
 //! ```
 //!
 //! A run is a pure function of level, digits, seed and shard. Case k of a check is the same at every level and in every
-//! shard; [`Report::from_json_lines`] merges the lines of all shards into the report of the whole.
+//! shard; [`VerifyReport::from_json_lines`] merges the lines of all shards into the report of the whole.
 //!
 //! * [`faults`] are mistakes put into the closed forms on purpose; each must be found by a check.
 //! * [`derivations`] evaluates the statements of `mdr-symbolic` in rigorous intervals.
@@ -43,8 +43,12 @@ pub use checks::{check_names, checks_of};
 pub use findings::Findings;
 pub use merge::MergeError;
 pub use options::{Level, Options, Shard, ShardError};
-pub use report::{Failure, Finding, Grid, Report, Row, Unit, Verdict};
+pub use report::{CheckRow, CheckVerdict, ErrorUnit, Failure, Finding, Grid, VerifyReport};
 pub use run::{Progress, run, run_against};
 pub use subject::closed::ClosedForms;
 pub use subject::mutation::{Fault, Mutation, faults};
 pub use subject::{Part, Subject, SubjectId, subjects};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -9,7 +9,7 @@ use thiserror::Error;
 
 use crate::checks::registry;
 use crate::options::Shard;
-use crate::report::{Failure, Grid, Report, Row};
+use crate::report::{CheckRow, Failure, Grid, VerifyReport};
 
 /// The schema that every line names.
 const SCHEMA: &str = "mdr.verify/1";
@@ -28,7 +28,7 @@ struct Line {
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Content {
-    Row(Row),
+    Row(CheckRow),
     Failure(Failure),
 }
 
@@ -37,7 +37,7 @@ enum Content {
 #[non_exhaustive]
 pub enum MergeError {
     /// A line is not one of ours.
-    #[error("line {line} is not a line of a verification: {}", excerpt(&source.to_string()))]
+    #[error("line {line} is no line of a verification: {}", excerpt(&source.to_string()))]
     Line {
         /// Counted from 1.
         line: usize,
@@ -53,7 +53,7 @@ pub enum MergeError {
         what: &'static str,
     },
     /// Not every part is there exactly once.
-    #[error("check {}: the shards do not make a whole: {got} of {count} are here", excerpt(check))]
+    #[error("check {}: incomplete: {got} of {count} shards present", excerpt(check))]
     Incomplete {
         /// The check.
         check: String,
@@ -63,7 +63,7 @@ pub enum MergeError {
         count: u32,
     },
     /// One part of a check occurs twice.
-    #[error("line {line}: shard {shard} of check {} is here twice", excerpt(check))]
+    #[error("line {line}: shard {shard} of check {} is repeated", excerpt(check))]
     Repeated {
         /// Counted from 1.
         line: usize,
@@ -73,11 +73,11 @@ pub enum MergeError {
         check: String,
     },
     /// Nothing at all.
-    #[error("there are no lines to merge")]
+    #[error("no lines to merge")]
     Empty,
 }
 
-impl Report {
+impl VerifyReport {
     /// One line of JSON a row, then one for each failing case.
     pub fn to_json_lines(&self) -> String {
         let mut lines = String::new();
@@ -96,8 +96,8 @@ impl Report {
     ///
     /// # Errors
     /// [`MergeError`] when a line is foreign, when the lines are of different runs, or when a shard is missing or twice.
-    pub fn from_json_lines(text: &str) -> Result<Report, MergeError> {
-        let mut report: Option<Report> = None;
+    pub fn from_json_lines(text: &str) -> Result<VerifyReport, MergeError> {
+        let mut report: Option<VerifyReport> = None;
         let mut count = 0;
         let mut seen: Vec<BTreeSet<Shard>> = Vec::new();
         for (number, text) in text.lines().enumerate().filter(|(_, text)| !text.trim().is_empty()) {
@@ -106,7 +106,7 @@ impl Report {
                 serde_json::from_str(text).map_err(|source| MergeError::Line { line, source })?;
             let report = report.get_or_insert_with(|| {
                 count = shard.count();
-                Report { grid: grid.clone(), shard: Shard::WHOLE, rows: Vec::new(), failures: Vec::new() }
+                VerifyReport { grid: grid.clone(), shard: Shard::WHOLE, rows: Vec::new(), failures: Vec::new() }
             });
             let foreign = [
                 (schema != SCHEMA, "schema"),
@@ -132,7 +132,7 @@ impl Report {
         if let Some((row, shards)) = report.rows.iter().zip(&seen).find(|(_, shards)| shards.len() != count as usize) {
             return Err(MergeError::Incomplete { check: row.check.clone(), got: shards.len(), count });
         }
-        report.rows = report.rows.into_iter().map(Row::judged).collect();
+        report.rows = report.rows.into_iter().map(CheckRow::judged).collect();
         let rank = |name: &str| registry().iter().position(|check| check.row.check == name);
         report.rows.sort_by_key(|row| rank(&row.check));
         report.failures.sort_by_key(|failure| (rank(&failure.check), failure.index));

@@ -13,7 +13,7 @@ named! {
     /// The unit of an error.
     #[derive(Serialize, Deserialize)]
     #[serde(rename_all = "lowercase")]
-    pub enum Unit {
+    pub enum ErrorUnit {
         /// Relative error over the unit roundoff 2^−p of the arithmetic of the case: f64 and arbitrary precision compare.
         Roundoffs = "u",
         /// Units in the last place of the correctly rounded result, binary or decimal.
@@ -25,14 +25,14 @@ named! {
     }
 }
 
-impl Unit {
+impl ErrorUnit {
     /// The meaning of an error of 1, in a sentence.
     pub fn description(self) -> &'static str {
         match self {
-            Unit::Roundoffs => "relative error 2^-p at p bits: 1.1e-16 in f64, where 9 u are an error of 1e-15",
-            Unit::Ulp => "a unit in the last place of the correctly rounded result",
-            Unit::Relative => "relative error 1, where truncation and not roundoff limits the comparison",
-            Unit::Mismatch => "an answer that differs where two must be equal",
+            ErrorUnit::Roundoffs => "relative error 2^-p at p bits: 1.1e-16 in f64, where 9 u are an error of 1e-15",
+            ErrorUnit::Ulp => "a unit in the last place of the correctly rounded result",
+            ErrorUnit::Relative => "relative error 1, where truncation and not roundoff limits the comparison",
+            ErrorUnit::Mismatch => "an answer that differs where two must be equal",
         }
     }
 }
@@ -41,7 +41,7 @@ named! {
     /// Whether a check holds.
     #[derive(Serialize, Deserialize)]
     #[serde(rename_all = "lowercase")]
-    pub enum Verdict {
+    pub enum CheckVerdict {
         /// No error exceeds its bound, and at least one case was compared.
         Pass = "pass",
         /// Some error exceeds its bound, or a route gave no answer where it must.
@@ -53,6 +53,7 @@ named! {
 
 /// One comparison worth telling.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Finding {
     /// The index of the case: with the seed it gives the inputs again.
     pub index: usize,
@@ -110,7 +111,8 @@ impl fmt::Display for Failure {
 
 /// The result of one check.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Row {
+#[non_exhaustive]
+pub struct CheckRow {
     /// Stable name of the check.
     pub check: String,
     /// The comparison in words.
@@ -118,7 +120,7 @@ pub struct Row {
     /// The equations of the paper it covers.
     pub equations: Vec<String>,
     /// The unit of the errors.
-    pub unit: Unit,
+    pub unit: ErrorUnit,
     /// Cases that were compared.
     pub cases: usize,
     /// Cases that could not be asked (out of the range of f64, say).
@@ -130,12 +132,12 @@ pub struct Row {
     /// The largest share of its allowed error that any comparison used.
     pub tightest: Option<Finding>,
     /// Pass, fail or skipped.
-    pub verdict: Verdict,
+    pub verdict: CheckVerdict,
     /// All errors, ascending, from which the quantiles are taken, also after merging shards.
     pub errors: Vec<f64>,
 }
 
-impl Row {
+impl CheckRow {
     /// The `tau`-quantile of the errors found; `None` without errors.
     pub fn quantile(&self, tau: f64) -> Option<f64> {
         use statrs::statistics::{Data, OrderStatistics};
@@ -154,8 +156,8 @@ impl Row {
 }
 
 /// For a spreadsheet.
-impl Row {
-    /// The titles of [`Row::to_csv`].
+impl CheckRow {
+    /// The titles of [`CheckRow::to_csv`].
     pub const CSV_HEADER: [&str; 12] = [
         "check",
         "claim",
@@ -206,21 +208,21 @@ pub struct Grid {
 
 /// The result of a run or of several shards together.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Report {
+pub struct VerifyReport {
     /// The grid.
     pub grid: Grid,
     /// Which part of it.
     pub shard: Shard,
     /// One row a check, in the order of the registry.
-    pub rows: Vec<Row>,
+    pub rows: Vec<CheckRow>,
     /// The cases that failed, in the order of checks and indices.
     pub failures: Vec<Failure>,
 }
 
-impl Report {
+impl VerifyReport {
     /// Whether no check failed.
     pub fn passed(&self) -> bool {
-        self.rows.iter().all(|row| row.verdict != Verdict::Fail)
+        self.rows.iter().all(|row| row.verdict != CheckVerdict::Fail)
     }
 
     /// Cases compared in all rows.
@@ -231,7 +233,8 @@ impl Report {
     /// How many checks hold, on which grid, as a sentence.
     pub fn summary(&self) -> String {
         let count = |verdict| self.rows.iter().filter(|row| row.verdict == verdict).count();
-        let (passed, failed, skipped) = (count(Verdict::Pass), count(Verdict::Fail), count(Verdict::Skipped));
+        let (passed, failed, skipped) =
+            (count(CheckVerdict::Pass), count(CheckVerdict::Fail), count(CheckVerdict::Skipped));
         let skipped = if skipped == 0 { String::new() } else { format!(", {skipped} without a case") };
         let Grid { level, digits, seed, .. } = &self.grid;
         let (checks, cases, shard) = (self.rows.len(), self.cases(), self.shard);
@@ -245,14 +248,14 @@ impl Report {
     pub fn units(&self) -> String {
         let mut text =
             "Units of the errors; the numbers of a case are rounded here, and exact in JSON and CSV:".to_owned();
-        for unit in Unit::ALL.into_iter().filter(|unit| self.rows.iter().any(|row| row.unit == *unit)) {
+        for unit in ErrorUnit::ALL.into_iter().filter(|unit| self.rows.iter().any(|row| row.unit == *unit)) {
             text.push_str(&format!("\n  {:<8}  {}", unit.name(), unit.description()));
         }
         text
     }
 
     /// Enters the cases of one check, in the order of their indices.
-    pub(crate) fn enter<'a>(&mut self, mut row: Row, cases: impl Iterator<Item = Trial<'a>>) {
+    pub(crate) fn enter<'a>(&mut self, mut row: CheckRow, cases: impl Iterator<Item = Trial<'a>>) {
         for Trial { index, inputs, comparisons, broken, .. } in cases {
             if broken.is_none() && comparisons.is_empty() {
                 row.skipped += 1;
@@ -268,7 +271,7 @@ impl Report {
     }
 }
 
-impl Row {
+impl CheckRow {
     /// Takes in the findings of a case; why it failed, if it did.
     fn compare(&mut self, findings: Vec<Finding>) -> Option<String> {
         let mut reasons = Vec::new();
@@ -288,15 +291,15 @@ impl Row {
     pub(crate) fn judged(mut self) -> Self {
         self.errors.sort_by(f64::total_cmp);
         self.verdict = match (self.failed, self.cases) {
-            (0, 0) => Verdict::Skipped,
-            (0, _) => Verdict::Pass,
-            _ => Verdict::Fail,
+            (0, 0) => CheckVerdict::Skipped,
+            (0, _) => CheckVerdict::Pass,
+            _ => CheckVerdict::Fail,
         };
         self
     }
 
     /// Takes in the same row of another shard.
-    pub(crate) fn absorb(&mut self, other: Row) {
+    pub(crate) fn absorb(&mut self, other: CheckRow) {
         self.cases += other.cases;
         self.skipped += other.skipped;
         self.failed += other.failed;

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::checks::{Check, registry};
 use crate::options::Options;
-use crate::report::{Grid, Report};
+use crate::report::{Grid, VerifyReport};
 use crate::subject::closed::ClosedForms;
 use crate::trial::Trial;
 
@@ -31,12 +31,12 @@ pub struct Progress {
 /// let report = run(&Options::at(Level::Quick), &|_| ());
 /// assert!(report.passed());
 /// ```
-pub fn run(options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> Report {
+pub fn run(options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> VerifyReport {
     run_against(&ClosedForms::default(), options, progress)
 }
 
 /// Runs the checks like [`run`], with `closed` in the place of the closed forms, so that deliberate faults can be put in.
-pub fn run_against(closed: &ClosedForms, options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> Report {
+pub fn run_against(closed: &ClosedForms, options: &Options, progress: &(dyn Fn(Progress) + Sync)) -> VerifyReport {
     let asked = |check: &&Check| options.only.is_empty() || options.only.contains(&check.row.check);
     let checks: Vec<&Check> = registry().iter().filter(asked).collect();
     let indices = |check: &Check| {
@@ -58,7 +58,7 @@ pub fn run_against(closed: &ClosedForms, options: &Options, progress: &(dyn Fn(P
         .collect();
     let Options { level, digits, seed, shard, limit, .. } = *options;
     let mut report =
-        Report { grid: Grid { level, digits, seed, limit }, shard, rows: Vec::new(), failures: Vec::new() };
+        VerifyReport { grid: Grid { level, digits, seed, limit }, shard, rows: Vec::new(), failures: Vec::new() };
     let mut results = results.into_iter();
     for check in checks {
         report.enter(check.row.clone(), results.by_ref().take(indices(check).count()));

@@ -5,12 +5,12 @@
 use std::collections::BTreeSet;
 
 use mdr_crosscheck::{
-    ClosedForms, Fault, Level, Options, Report, Verdict, checks_of, faults, run, run_against, subjects,
+    CheckVerdict, ClosedForms, Fault, Level, Options, VerifyReport, checks_of, faults, run, run_against, subjects,
 };
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// A row that claims to watch over a subject, over a few cases.
-fn watched(closed: &ClosedForms, row: &str, cases: usize) -> Report {
+fn watched(closed: &ClosedForms, row: &str, cases: usize) -> VerifyReport {
     let only = vec![row.to_owned()];
     run_against(closed, &Options { only, limit: Some(cases), ..Options::at(Level::Quick) }, &|_| ())
 }
@@ -43,7 +43,7 @@ fn every_subject_is_in_the_table_and_watched() {
 fn without_a_fault_every_check_passes() {
     let report = run(&Options { limit: Some(16), ..Options::at(Level::Quick) }, &|_| ());
     for row in &report.rows {
-        assert_eq!(row.verdict, Verdict::Pass, "{}", row.check);
+        assert_eq!(row.verdict, CheckVerdict::Pass, "{}", row.check);
     }
     assert!(report.failures.is_empty());
 }

@@ -3,14 +3,14 @@
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use mdr_crosscheck::{Level, MergeError, Options, Report, Shard, Verdict, run};
+use mdr_crosscheck::{CheckVerdict, Level, MergeError, Options, Shard, VerifyReport, run};
 
 fn few(shard: Shard) -> Options {
     Options { shard, limit: Some(5), ..Options::at(Level::Quick) }
 }
 
 /// A few cases of every check, and how often progress was told.
-static WHOLE: LazyLock<(Report, usize)> = LazyLock::new(|| {
+static WHOLE: LazyLock<(VerifyReport, usize)> = LazyLock::new(|| {
     let told = AtomicUsize::new(0);
     let report = run(&few(Shard::WHOLE), &|progress| {
         assert!(progress.done <= progress.total);
@@ -23,19 +23,19 @@ static WHOLE: LazyLock<(Report, usize)> = LazyLock::new(|| {
 fn shards_make_the_whole_bit_for_bit() {
     // In reverse order: the order of the lines must not matter.
     let lines: String = (1..=3).rev().map(|i| run(&few(Shard::new(i, 3).unwrap()), &|_| ()).to_json_lines()).collect();
-    assert_eq!(Report::from_json_lines(&lines).unwrap(), WHOLE.0);
+    assert_eq!(VerifyReport::from_json_lines(&lines).unwrap(), WHOLE.0);
 }
 
 #[test]
 fn lines_read_back_as_the_report() {
-    assert_eq!(Report::from_json_lines(&WHOLE.0.to_json_lines()).unwrap(), WHOLE.0);
+    assert_eq!(VerifyReport::from_json_lines(&WHOLE.0.to_json_lines()).unwrap(), WHOLE.0);
 }
 
 #[test]
 fn a_missing_a_repeated_and_a_foreign_shard_are_told() {
     let only = || vec!["jkr".to_owned(), "kappa-gamma".to_owned()];
     let part = |i, n| run(&Options { only: only(), ..few(Shard::new(i, n).unwrap()) }, &|_| ()).to_json_lines();
-    let merged = |lines: String| Report::from_json_lines(&lines);
+    let merged = |lines: String| VerifyReport::from_json_lines(&lines);
     assert!(matches!(merged(part(1, 2)), Err(MergeError::Incomplete { got: 1, count: 2, .. })));
     assert!(matches!(merged(part(1, 2) + &part(1, 2)), Err(MergeError::Repeated { .. })));
     assert!(matches!(merged(part(1, 2) + &part(2, 3)), Err(MergeError::Mixed { .. })));
@@ -56,7 +56,7 @@ fn the_seed_and_nothing_else_decides() {
 #[test]
 fn a_check_without_cases_is_skipped() {
     let report = run(&Options { limit: Some(0), ..Options::default() }, &|_| ());
-    assert!(report.rows.iter().all(|row| row.verdict == Verdict::Skipped && row.median().is_none()));
+    assert!(report.rows.iter().all(|row| row.verdict == CheckVerdict::Skipped && row.median().is_none()));
     assert!(report.passed());
 }
 

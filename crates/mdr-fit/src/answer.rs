@@ -30,7 +30,8 @@ impl FitStatus {
 /// A free number with its estimate; nothing where the data do not determine it.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Estimate {
+#[non_exhaustive]
+pub struct FitEstimate {
     /// `e_star`, `work_of_adhesion`, `stiffness`, `contact_point`, `baseline`, or a key of the profile.
     pub name: String,
     /// The estimate.
@@ -46,6 +47,7 @@ pub struct Estimate {
 /// A product of powers of the free numbers that the data determine although they do not determine its factors.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Invariant {
     /// The product, such as `e_star * radius^(1/2)`.
     pub name: String,
@@ -61,7 +63,8 @@ pub struct Invariant {
 /// at each.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Interval {
+#[non_exhaustive]
+pub struct LikelihoodInterval {
     /// The name of the free number.
     pub name: String,
     /// 0.68 or 0.95.
@@ -75,6 +78,7 @@ pub struct Interval {
 /// The estimates with another smoothing of a measured tip.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct SmoothedFit {
     /// The length over which its rows are smoothed, in m; `None` for the rows as they are.
     pub length: Option<f64>,
@@ -87,6 +91,7 @@ pub struct SmoothedFit {
 /// A row of the data beside the fitted curve.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct FittedRow {
     /// The given quantity X, in SI units.
     pub x: f64,
@@ -108,7 +113,8 @@ pub struct FittedRow {
 /// A jump into or out of contact.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Event {
+#[non_exhaustive]
+pub struct FitEvent {
     /// X as it is recorded, offsets included.
     pub x: f64,
     /// Y as it is recorded.
@@ -126,6 +132,7 @@ pub struct Event {
 /// Whether the signs of the residuals are in a random order (Wald and Wolfowitz 1940).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct RunsTest {
     /// The number of runs of equal sign.
     pub runs: usize,
@@ -140,7 +147,8 @@ pub struct RunsTest {
 /// Estimates in digits that are proved, for the labels of the fit.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Certified {
+#[non_exhaustive]
+pub struct CertifiedFit {
     /// The number of significant digits.
     pub digits: u32,
     /// The estimates, in the order of the free numbers.
@@ -156,6 +164,7 @@ pub struct Certified {
 /// A free number whose digits are all proved.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct CertifiedEstimate {
     /// The name of the free number.
     pub name: String,
@@ -172,6 +181,7 @@ pub struct CertifiedEstimate {
 /// An end of a descent: its start and its result.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Attempt {
     /// `given`, by the problem; `two-points`, of a power law; `regression`, of known contact radii; `all-in-contact` and `jump`, hypotheses
     /// on the record; `search`, over w/E*.
@@ -188,6 +198,7 @@ pub struct Attempt {
 /// The answer to a [`Problem`](super::Problem).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Fit {
     /// How the fit ended.
     #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
@@ -200,8 +211,8 @@ pub struct Fit {
     #[cfg_attr(feature = "serde", serde(serialize_with = "observation"))]
     pub observation: Observation,
     /// The estimates, in the order in which the numbers were made free.
-    pub parameters: Vec<Estimate>,
-    /// The covariance of the estimates, with the standard errors of [`Estimate::stderr`]; empty unless all are determined.
+    pub parameters: Vec<FitEstimate>,
+    /// The covariance of the estimates, with the standard errors of [`FitEstimate::stderr`]; empty unless all are determined.
     pub covariance: Vec<Vec<f64>>,
     /// The correlation of the estimates; empty unless all are determined.
     pub correlation: Vec<Vec<f64>>,
@@ -230,15 +241,15 @@ pub struct Fit {
     /// The arcs of the fitted curve as points (X, Y, a), the outermost first.
     pub arcs: Vec<Vec<[f64; 3]>>,
     /// The event in which the contact breaks, by the fitted curve.
-    pub predicted_pull_off: Option<Event>,
+    pub predicted_pull_off: Option<FitEvent>,
     /// The last row in contact before the first detached one.
-    pub measured_pull_off: Option<Event>,
+    pub measured_pull_off: Option<FitEvent>,
     /// X of the last row in contact and of the first detached one: the contact breaks between them.
     pub pull_off_between: Option<[f64; 2]>,
     /// The event in which the surfaces touch, by the fitted curve.
-    pub predicted_jump_in: Option<Event>,
+    pub predicted_jump_in: Option<FitEvent>,
     /// The first row in contact after the last detached one.
-    pub measured_jump_in: Option<Event>,
+    pub measured_jump_in: Option<FitEvent>,
     /// X of the last detached row and of the first in contact: the contact forms between them.
     pub jump_in_between: Option<[f64; 2]>,
     /// Whether the theory holds for the fitted contact, where the range of adhesion is given and the data determine it.
@@ -246,14 +257,14 @@ pub struct Fit {
     /// Warnings of results that may mislead.
     pub warnings: Vec<String>,
     /// Proved digits, if they were requested and can be given; if they cannot, a warning states the reason.
-    pub certified: Option<Certified>,
+    pub certified: Option<CertifiedFit>,
     /// Evaluations of the curve.
     pub evaluations: usize,
     /// Different ends of the descents from all starts, the least sum of squares first, which is the answer.
     pub tried: Vec<Attempt>,
     /// Intervals of the free numbers, if [`profile_likelihood`](super::Problem::profile_likelihood) was requested.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
-    pub intervals: Vec<Interval>,
+    pub intervals: Vec<LikelihoodInterval>,
     /// The estimates with other smoothings of a measured tip, which show the effect of its noise.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub smoothing: Vec<SmoothedFit>,
@@ -261,7 +272,7 @@ pub struct Fit {
 
 impl Fit {
     /// The estimate of a free number.
-    pub fn estimate(&self, name: &str) -> Option<&Estimate> {
+    pub fn estimate(&self, name: &str) -> Option<&FitEstimate> {
         let bare = name.strip_prefix("profile.").unwrap_or(name);
         self.parameters.iter().find(|estimate| estimate.name == bare)
     }

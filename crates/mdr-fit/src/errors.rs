@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::answer::{Estimate, FitStatus, Invariant};
+use super::answer::{FitEstimate, FitStatus, Invariant};
 use super::judge::{self, Spectrum};
 use super::objective::Objective;
 use super::problem::Kind;
@@ -39,7 +39,7 @@ impl Errors<'_> {
         gradient
     }
 
-    pub(super) fn estimates(&self, status: FitStatus) -> Vec<Estimate> {
+    pub(super) fn estimates(&self, status: FitStatus) -> Vec<FitEstimate> {
         let undetermined = self.spectrum.undetermined();
         let estimate = |place: usize| {
             let parameter = self.objective.parameter(place);
@@ -50,7 +50,7 @@ impl Errors<'_> {
                 // Beyond the range of a double where σ is stated so.
                 Some(scale * self.spectrum.covariance(&gradient, &gradient).sqrt()).filter(|stderr| stderr.is_finite())
             };
-            Estimate {
+            FitEstimate {
                 name: parameter.name.clone(),
                 value: known.then(|| self.objective.value(place, self.fitted[place])),
                 stderr: stderr(self.scales[0]),

@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::answer::{Event, Fit};
+use super::answer::{Fit, FitEvent};
 use super::arcs::end_speed;
 use super::errors::Errors;
 use super::minimise::Minimum;
@@ -36,7 +36,7 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
 }
 
 /// The fold where the contact breaks, with standard errors: it moves along the curve, and with the curve.
-fn pull_off(errors: &Errors<'_>, minimum: &Minimum) -> Result<Option<Event>> {
+fn pull_off(errors: &Errors<'_>, minimum: &Minimum) -> Result<Option<FitEvent>> {
     let evaluation = &minimum.evaluation;
     let Some(s) = evaluation.last_fold() else { return Ok(None) };
     let contact = evaluation.contact(errors.objective.problem.observation);
@@ -61,11 +61,11 @@ fn pull_off(errors: &Errors<'_>, minimum: &Minimum) -> Result<Option<Event>> {
         _ => errors.stderr(&gradients[index]),
     });
     let [force, indentation, contact_radius] = state;
-    Ok(Some(Event { x: values[0], y: values[1], force, indentation, contact_radius, stderr: Some(stderr) }))
+    Ok(Some(FitEvent { x: values[0], y: values[1], force, indentation, contact_radius, stderr: Some(stderr) }))
 }
 
 /// The surfaces touch at d = 0 without force.
-fn first_touch(errors: &Errors<'_>, minimum: &Minimum) -> Event {
+fn first_touch(errors: &Errors<'_>, minimum: &Minimum) -> FitEvent {
     let numbers = &minimum.evaluation.numbers;
     let kinds = errors.kinds();
     let of = |kind: Kind| {
@@ -76,11 +76,11 @@ fn first_touch(errors: &Errors<'_>, minimum: &Minimum) -> Event {
     let stderr = Some([of(Kind::ContactPoint), of(Kind::Baseline), 0.0, 0.0, 0.0]);
     let nothing = Some(0.0);
     let [x, y] = [numbers.contact_point, numbers.baseline];
-    Event { x, y, force: nothing, indentation: nothing, contact_radius: None, stderr }
+    FitEvent { x, y, force: nothing, indentation: nothing, contact_radius: None, stderr }
 }
 
 /// A row as a state.
-fn measured(errors: &Errors<'_>, minimum: &Minimum, [x, y]: [f64; 2]) -> Event {
+fn measured(errors: &Errors<'_>, minimum: &Minimum, [x, y]: [f64; 2]) -> FitEvent {
     let numbers = &minimum.evaluation.numbers;
     let stiffness = numbers.stiffness.unwrap_or(f64::INFINITY);
     let observation = errors.objective.problem.observation;
@@ -92,5 +92,5 @@ fn measured(errors: &Errors<'_>, minimum: &Minimum, [x, y]: [f64; 2]) -> Event {
     let by_force = is_known(Kind::Stiffness) || observation == Observation::DeflectionOfPosition;
     let indentation =
         Some(indentation).filter(|_| by_force && is_known(Kind::Baseline) && is_known(Kind::ContactPoint));
-    Event { x, y, force, indentation, contact_radius: None, stderr: None }
+    FitEvent { x, y, force, indentation, contact_radius: None, stderr: None }
 }

@@ -65,8 +65,12 @@ mod warnings;
 mod words;
 
 pub use answer::{
-    Attempt, Certified, CertifiedEstimate, Estimate, Event, Fit, FitStatus, FittedRow, Interval, Invariant, RunsTest,
-    SmoothedFit,
+    Attempt, CertifiedEstimate, CertifiedFit, Fit, FitEstimate, FitEvent, FitStatus, FittedRow, Invariant,
+    LikelihoodInterval, RunsTest, SmoothedFit,
 };
 pub use observation::{Leg, Loss, Observation};
 pub use problem::Problem;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -9,7 +9,7 @@ use mdr_core::calculus::roots::{self, Bracket, Sample};
 use mdr_core::contact;
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
-use super::answer::{Fit, Interval};
+use super::answer::{Fit, LikelihoodInterval};
 use super::errors::Errors;
 use super::minimise::{self, Minimum};
 use super::objective::Objective;
@@ -76,7 +76,7 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum, stated:
             if ends.iter().flatten().count() == 2 && ends[0] > ends[1] {
                 ends.swap(0, 1);
             }
-            fit.intervals.push(Interval { name: name.clone(), level, lower: ends[0], upper: ends[1] });
+            fit.intervals.push(LikelihoodInterval { name: name.clone(), level, lower: ends[0], upper: ends[1] });
         }
     }
     if !left.is_empty() {

@@ -73,6 +73,14 @@ struct Curve<'c> {
 }
 
 fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
+    if let Some(medium) = top.optional("medium") {
+        let why = "fits are available on a homogeneous half-space only: leave [medium] out";
+        return Err(medium.refuse(why));
+    }
+    if let Some(medium) = top.optional("medium") {
+        let why = "fits are available on a homogeneous half-space only: leave [medium] out";
+        return Err(medium.refuse(why));
+    }
     let shape = top.section("profile")?;
     let profile = Profile::read(&shape)?;
     if let Profile::Table(measured) = &profile {

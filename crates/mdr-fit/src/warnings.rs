@@ -101,7 +101,7 @@ pub(super) fn of_minima(fit: &mut Fit, objective: &Objective<'_>, tried: &[Attem
     let Some(least) = tried.first() else { return };
     let near = |other: &&Attempt| other.cost - least.cost < ALIKE * deviation * deviation;
     let moved = |other: &Attempt| {
-        let far = |(place, estimate): (usize, &super::answer::Estimate)| {
+        let far = |(place, estimate): (usize, &super::answer::FitEstimate)| {
             let value = objective.value(place, other.fitted[place]);
             let distance = (value - estimate.value?).abs();
             Some(distance > 2.0 * estimate.stderr? && distance > 1e-3 * estimate.value?.abs())

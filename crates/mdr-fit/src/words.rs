@@ -1,6 +1,6 @@
 //! A fit in words, beside its table of estimates: heading, quality, starts, events, intervals.
 
-use crate::{Event, Fit, Interval, SmoothedFit};
+use crate::{Fit, FitEvent, LikelihoodInterval, SmoothedFit};
 
 impl Fit {
     /// The observation, the profile and the status of the fit, in a line; the reason below it if something is amiss.
@@ -81,7 +81,7 @@ impl Fit {
     /// The intervals by profile likelihood, a row for each: name, level and ends.
     pub fn interval_rows(&self) -> Vec<[String; 4]> {
         let end = |end: Option<f64>| end.map_or_else(|| "open".to_owned(), |end| format!("{end:.5e}"));
-        let row = |interval: &Interval| {
+        let row = |interval: &LikelihoodInterval| {
             let level = format!("{:.0} %", 100.0 * interval.level);
             [interval.name.clone(), level, end(interval.lower), end(interval.upper)]
         };
@@ -89,7 +89,7 @@ impl Fit {
     }
 }
 
-impl Event {
+impl FitEvent {
     /// Its numbers, with their standard errors if there are any; X and Y are in the first two `units`.
     fn sentence(&self, units: &[&str]) -> String {
         // The standard errors are in the order of the numbers.

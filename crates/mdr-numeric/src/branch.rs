@@ -41,6 +41,11 @@ pub trait EquilibriumBranches<R: Real> {
         value.partial_cmp(&at_fold).ok_or_else(|| unordered(self.control(), value))
     }
 
+    /// The limit of the controlled quantity at the tip, where the first branch begins.
+    fn tip_value(&self, like: &R) -> R {
+        like.lit(0)
+    }
+
     /// How contact begins at the tip; see [`onset`].
     ///
     /// # Errors

@@ -130,7 +130,7 @@ impl<R: Real> Contact<R> {
         self.medium.modulus()
     }
 
-    /// The length of the material, in m: w/E* on a half-space.
+    /// The length of the material, in m, from which searches begin: w/E* on a half-space.
     pub fn material_length(&self) -> R {
         self.medium.length(self.adhesion.scale())
     }
@@ -186,6 +186,15 @@ impl<R: Real> Contact<R> {
     /// The force of (1.6) at a contact radius and an indentation that need not be in equilibrium.
     pub(crate) fn force_at(&self, a: &R, d: &R) -> Result<R> {
         Ok(self.stiffness(a) * (d.clone() - self.transform.mean(a)?))
+    }
+
+    /// The limit of the controlled quantity at the tip, a → 0. It is 0 but on a Winkler foundation, whose springs hold to
+    /// d = −Δl however small the contact.
+    pub(crate) fn tip_value(&self, like: &R) -> R {
+        match (self.medium(), self.control()) {
+            (Medium::Winkler { .. }, Control::Indentation | Control::Machine { .. }) => -self.elongation(&like.lit(1)),
+            _ => like.lit(0),
+        }
     }
 
     /// S(a), the stiffness of the contact at fixed radius, in N/m.
@@ -286,7 +295,8 @@ impl<R: Real> Contact<R> {
         Ok(self.direction_at(a, value)? + self.elongation(a).times(2) < a.lit(0))
     }
 
-    /// The tangency ratio g'(a)/Δl'(a): under controlled indentation it is 1 at a fold (1.10).
+    /// The tangency ratio 2a g'(a)/Δl(a). On a half-space it is g'(a)/Δl'(a), and under controlled indentation 1 at a fold
+    /// (1.10). On media where Δl may fall, line and periodic contacts, it is raised by 2q/(1 + S/K), and so is its critical value.
     ///
     /// # Errors
     /// Errors of the transform at a; see [`Transform::slope`].
@@ -296,7 +306,7 @@ impl<R: Real> Contact<R> {
 
     /// The tangency ratio for a given g'; at an edge without adhesion, that of the other edge.
     pub(crate) fn tangency_of(&self, slope: R, a: &R) -> R {
-        self.medium.tangency(self.adhesion.scale(), slope, a)
+        self.medium.tangency(self.adhesion.scale(), slope, a, &self.control)
     }
 
     /// A function that is 1 at a fold, and larger where equilibria are stable: the tangency ratio over its critical value. At an
@@ -317,9 +327,9 @@ impl<R: Real> Contact<R> {
 
     /// The value of the [tangency ratio](Contact::tangency) at which the controlled quantity is stationary.
     ///
-    /// With d' = g' − Δl' and F' = S d' − S' Δl along the curve, d' + F'/k = 0 reads g'/Δl' = 1 + (q/p)/(1 + k/S), where q and p
-    /// are the orders of S and Δl in a. On a half-space, where q/p = 2, it is 1 for fixed grips (k → ∞) and 3 for a dead load
-    /// (k → 0). Equilibria are stable where the ratio exceeds it.
+    /// With d' = g' − Δl' and F' = S d' − S' Δl along the curve, d' + F'/K = 0 reads 2a g'/Δl = 2p + 2q/(1 + K/S), where q and
+    /// p are the orders of S and Δl in a. On a half-space, where 2p = 1 and 2q = 2, it is 1 for fixed grips (K → ∞) and 3 for a
+    /// dead load (K → 0). Equilibria are stable where the ratio exceeds it.
     ///
     /// # Errors
     /// [`Error::Domain`] unless a and the stiffness of a machine are positive and finite.

@@ -90,6 +90,10 @@ impl<R: Special> Dugdale<R> {
     /// [`Error::Domain`] unless h₀ is positive and finite; [`Error::OutOfRange`] if w/(E*h₀) is not representable.
     pub fn new(curve: Contact<R>, separation: &R) -> Result<Self> {
         let separation = Error::require_positive(RANGE, separation.clone())?;
+        if !curve.medium().is_half_space() {
+            let requirement = "left out: the theory of a finite range is available on a homogeneous half-space only";
+            return Err(Error::domain(RANGE, &separation, requirement));
+        }
         let strength = (curve.material_length() / &separation).times(2);
         if !(strength > strength.lit(0) && strength.is_finite()) {
             let log10 = curve.material_length().ln() - separation.ln();

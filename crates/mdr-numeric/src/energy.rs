@@ -1,13 +1,14 @@
 //! Equilibria from the potential energy (Griffith).
 //!
-//! Π(a, d) = E* ∫₀ᵃ (d − g)² dx − πa²w. Equilibria at a given d are its stationary points in a, minima the stable ones;
+//! Π(a, d) = ½∫₀ᵃ S'(x)(d − g)² dx − πa²w, with S' = 2E* on a half-space. Equilibria at a given d are its stationary points in a, minima the stable ones;
 //! under controlled force those of Π − Fd, on a machine those of Π + k(D − d)²/2, each stationary in d as well. The
 //! rule of Heß is not used: the derivative is that of the integral itself, by dual numbers under the integral sign. (At
 //! its end the integrand is ((d − g(a))/Δl)², which is equivalent to that rule: [`Energy::release`], the cheaper
 //! method.)
 //!
-//! In units of 2πa²w: Π/(2πa²w) = ∫₀¹ v² dt − 1/2 with v = (d − g(at))/Δl(a), which is in range at any scale.
+//! In units of 2πa²w: Π/(2πa²w) = ∫₀¹ v² S'(at)/S'(a) dt − 1/2 with v = (d − g(at))/Δl(a), which is in range at any scale.
 
+mod loading;
 mod mean;
 
 use mdr_core::calculus::roots::{self, Bracket};
@@ -16,8 +17,15 @@ use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result, Stability
 use mdr_core::number::{Dual, Real};
 
 use crate::contact::{Contact, in_range, negligible};
+use crate::medium::Medium;
 use crate::survey::{self, Crossing, Range};
+pub(crate) use loading::Complete;
 use mean::Grade;
+
+/// What lacks an energy, for errors.
+const MEDIUM: Quantity = Quantity::Parameter("the medium");
+/// Why a line contact has no energy.
+const NEEDS_ENERGY: &str = "another one: the energy of a line contact grows with the size of the body without bound";
 
 /// The potential energy of a profile in contact.
 ///
@@ -44,6 +52,9 @@ impl<R: Real> Energy<R> {
     /// # Errors
     /// [`Error::OutOfRange`] if w/E* is not representable in this arithmetic.
     pub fn new(contact: Contact<R>) -> Result<Self> {
+        if matches!(contact.medium(), Medium::Plane { .. }) {
+            return Err(Error::domain(MEDIUM, contact.modulus(), NEEDS_ENERGY));
+        }
         let (transform, length) = (contact.transform(), contact.material_length());
         if !(length > length.lit(0) && length.is_finite()) {
             return Err(Error::OutOfRange { quantity: Quantity::Energy, log10: length.approx().log10() });
@@ -69,9 +80,16 @@ impl<R: Real> Energy<R> {
         mean: impl FnOnce(&dyn Fn(&R) -> Result<R>) -> Result<R>,
     ) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
+        if let Medium::Periodic { wavelength, .. } = self.contact.medium() {
+            return self.by_loading(wavelength, &a, d);
+        }
         let unit = self.unit(&a);
         let needed = negligible(&unit);
-        let elastic = mean(&|x| Ok(((d.clone() - g(self.contact.transform(), x, &needed)?) / &unit).square()))?;
+        let medium = self.contact.medium();
+        let elastic = mean(&|x| {
+            let square = ((d.clone() - g(self.contact.transform(), x, &needed)?) / &unit).square();
+            Ok(medium.weighted_relative(x, &a, square))
+        })?;
         let reduced = elastic.times(2) - a.lit(1);
         let [pi, width, radius] = self.contact.medium().area_factors(&a);
         let potential = width.clone() * self.work() * &pi * &radius * &reduced;
@@ -80,7 +98,7 @@ impl<R: Real> Energy<R> {
     }
 
     /// The energy dissipated when the radius jumps from `from` to `to` at fixed d, in J: Π(from, d) − Π(to, d),
-    /// computed as E* ∫ ((d − g)² − Δl²) dx from `to` to `from`. It is not a difference of energies, so a small jump
+    /// computed as ½∫ S' ((d − g)² − Δl²) dx from `to` to `from`. It is not a difference of energies, so a small jump
     /// keeps its accuracy.
     /// # Errors
     /// [`Error::Domain`] unless both radii are positive and finite; errors of the transform and of the quadrature;
@@ -102,7 +120,8 @@ impl<R: Real> Energy<R> {
         let needed = negligible(&unit);
         let gained = tanh_sinh_pieces(lower, upper, &kinks, tolerance, |x| {
             let (excess, length) = (d.clone() - g(self.contact.transform(), x, &needed)?, self.unit(x));
-            Ok((excess.clone() - &length) / &unit * ((excess + length) / &unit))
+            let change = (excess.clone() - &length) / &unit * ((excess + length) / &unit);
+            Ok(self.contact.medium().weighted_relative(x, &from, change))
         })?
         .value;
         let reduced = if shrinks { gained } else { -gained };
@@ -168,7 +187,7 @@ impl<R: Real> Energy<R> {
                 x.chain(self.contact.transform().g(&x.value)?, self.contact.transform().slope(&x.value)?)
             };
             let v = (Dual::constant(d.clone()) - g) / Dual::constant(unit.clone());
-            Ok((v.square() * radius).slope)
+            Ok(self.contact.medium().weighted_change(&x, a, v.square() * radius))
         })
     }
 

@@ -315,6 +315,10 @@ impl<R: Real> EquilibriumBranches<R> for SearchedBranches<R> {
         self.curve.control()
     }
 
+    fn tip_value(&self, like: &R) -> R {
+        self.curve.tip_value(like)
+    }
+
     fn is_pushed_back(&self, radius: &R, value: &R) -> Result<bool> {
         self.curve.is_pushed_back(radius, value)
     }

@@ -3,9 +3,11 @@
 //! All three are integrals of g alone, so a profile needs only its transform. The substitutions below remove the
 //! square-root singularities, and every integral is split at the kinks of g.
 
+mod media;
+
 use mdr_core::calculus::quadrature::tanh_sinh_pieces;
 use mdr_core::calculus::{Estimate, Tolerance, gauss_jacobi};
-use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result};
+use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Special;
 
 use crate::contact::{Contact, negligible};
@@ -74,7 +76,14 @@ impl<R: Special> Fields<R> {
     /// [`Error::NoConvergence`] if the quadrature does not converge; [`Error::OutOfRange`] if it is not representable
     /// in this arithmetic.
     pub fn pressure(&self, r: &R) -> Result<R> {
-        settled(self.pressure_estimate(r)?, &(self.edge.abs() / leg(&self.contact_radius, r) * self.curve.modulus()))
+        let estimate = self.pressure_estimate(r)?;
+        let medium = self.curve.medium();
+        let share = if medium.is_half_space() {
+            self.edge.abs() / leg(&self.contact_radius, r) * medium.modulus()
+        } else {
+            medium.stiffness(&self.contact_radius) * self.edge.abs() * r.unit_roundoff().sqrt()
+        };
+        settled(estimate, &share)
     }
 
     /// The pressure with its estimated error, also if that exceeds the limit of [`Fields::pressure`].
@@ -84,8 +93,11 @@ impl<R: Special> Fields<R> {
     /// not converge; [`Error::OutOfRange`] if the pressure is not representable in this arithmetic.
     pub fn pressure_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = &self.contact_radius;
-        if !(*r >= r.lit(0) && r < a) {
+        if self.curve.medium().is_half_space() && !(*r >= r.lit(0) && r < a) {
             return Err(Error::domain(Quantity::Radius, r, "within the contact, 0 <= r < a"));
+        }
+        if let Some(estimate) = self.pressure_on_medium(r)? {
+            return in_range(estimate);
         }
         let reach = leg(a, r);
         let aside = r.clone() / &reach;
@@ -143,6 +155,9 @@ impl<R: Special> Fields<R> {
     /// # Errors
     /// [`Error::Domain`] unless r > a; errors of the transform between a and r.
     pub fn gap_estimate(&self, r: &R) -> Result<Estimate<R>> {
+        if let Some(estimate) = self.gap_on_medium(r)? {
+            return Ok(estimate);
+        }
         let a = self.outside(r)?;
         let angle = |x: &R| (leg(r, x) / x).atan();
         let breaks: Vec<R> = self.kinks(a, r).iter().map(angle).collect();
@@ -165,6 +180,9 @@ impl<R: Special> Fields<R> {
     /// # Errors
     /// [`Error::Domain`] unless r > a; errors of the transform within the contact.
     pub fn displacement_estimate(&self, r: &R) -> Result<Estimate<R>> {
+        if let Some(estimate) = self.displacement_on_medium(r)? {
+            return Ok(estimate);
+        }
         let a = self.outside(r)?;
         let angle = |x: &R| (x.clone() / &leg(r, x)).atan();
         let breaks: Vec<R> = self.kinks(&r.lit(0), a).iter().map(angle).collect();
@@ -185,18 +203,15 @@ impl<R: Special> Fields<R> {
         if self.curve.vertical_edge().as_ref() == Some(&self.contact_radius) {
             return Ok(stiffness);
         }
-        // d' = Δl'(τ − 1) and F' = SΔl'(τ − 1 − q/p) with the tangency ratio τ = g'/Δl'.
-        let tangency = self.curve.tangency(&self.contact_radius)?;
-        let fold = tangency.clone() - tangency.lit(1);
-        if fold == fold.lit(0) {
-            return Err(Error::domain(
-                Quantity::ContactRadius,
-                &self.contact_radius,
-                "off the fold of the indentation",
-            ));
+        let slope = self.curve.transform().slope(&self.contact_radius)?;
+        let work = self.curve.adhesion().scale();
+        match self.curve.medium().stiffening(work, slope, &self.contact_radius) {
+            Some(ratio) => Ok(ratio * stiffness),
+            None => {
+                let requirement = "off the fold of the indentation";
+                Err(Error::domain(Quantity::ContactRadius, &self.contact_radius, requirement))
+            }
         }
-        let dead_load = self.curve.medium().critical_ratio(&self.contact_radius, &Control::Force);
-        Ok((tangency - dead_load) / fold * stiffness)
     }
 
     /// The contact radius, for a radius outside it.
@@ -221,6 +236,15 @@ impl<R: Special> Fields<R> {
         kinks.retain(|kink| kink > from && kink < to);
         kinks
     }
+}
+
+/// A pressure that is representable.
+fn in_range<R: Special>(pressure: Estimate<R>) -> Result<Estimate<R>> {
+    if pressure.value.is_finite() {
+        return Ok(pressure);
+    }
+    let log10 = pressure.value.approx().abs().log10();
+    Err(Error::OutOfRange { quantity: Quantity::Parameter("the pressure p"), log10 })
 }
 
 fn infinite_at<R: Special>(r: &R) -> Error {

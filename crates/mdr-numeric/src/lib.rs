@@ -76,3 +76,7 @@ pub mod springs;
 mod survey;
 pub mod table;
 pub mod transform;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,6 +1,6 @@
 //! The procedure of the paper taken literally: an elastic foundation of discrete springs.
 //!
-//! Springs are at xᵢ = iΔx, i = −N…N, each of stiffness E*Δx (1.2). The transformed profile g(x) is pressed into them.
+//! Springs are at xᵢ = iΔx, i = −N…N, each of stiffness ½S'(xᵢ)Δx, which is E*Δx on a half-space (1.2). The transformed profile g(x) is pressed into them.
 //! The outermost spring in contact detaches when its elongation g(xᵢ) − d exceeds Δl(xᵢ), the rule of Heß (1.4); the
 //! next one attaches when its own would be smaller. The force is the sum of the spring forces.
 //!
@@ -33,18 +33,21 @@ use crate::medium::Medium;
 /// ```
 pub struct Foundation<R> {
     spacing: R,
-    /// E*Δx.
+    /// The modulus times Δx: E*Δx.
     stiffness: R,
+    /// Σ of the shares of the springs −i…i in it, their number on a half-space.
+    shares: Vec<R>,
     /// g at the springs i = 0…N of one side.
     profile: Vec<R>,
     /// dᵢ = g − Δl: above this indentation spring i is attached once its inner neighbour is.
     critical: Vec<R>,
-    /// Σ g over the springs −i…i.
+    /// Σ of share times g over the springs −i…i.
     heights: Vec<R>,
 }
 
 /// A cascade: springs that detach or attach one after the other at a fixed controlled value.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Cascade<R> {
     /// The state at which it starts.
     pub instability: Fold<R>,
@@ -58,23 +61,45 @@ impl<R: Real> Foundation<R> {
     /// # Errors
     /// [`Error::Domain`] unless Δx is positive and finite and N at least 1; errors of the transform at NΔx.
     pub fn new(transform: &dyn Transform<R>, material: &Material<R>, spacing: R, reach: usize) -> Result<Self> {
+        Self::on(&material.into(), transform, material.work_of_adhesion(), spacing, reach)
+    }
+
+    /// Springs at 0, ±Δx, …, ±NΔx for N = `reach` of another medium, whose transformed profile is given.
+    ///
+    /// ```
+    /// use mdr_core::contact::{Control, Shape};
+    /// use mdr_numeric::{medium::Medium, springs::Foundation, transform::Powers};
+    /// // A ball on a Winkler foundation, where g = f, breaks under a dead load at −2πwR.
+    /// let ball = Powers::winkler([(2.0, 0.5)])?;
+    /// let springs = Foundation::on(&Medium::winkler(1.0)?, &ball, &1e-2, 1e-4, 10_000)?;
+    /// let pull_off = &springs.pull(10_000, &Control::Force)?[0].instability;
+    /// assert!((pull_off.force / (-2.0 * std::f64::consts::PI * 1e-2) - 1.0).abs() < 1e-3);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless Δx is positive and finite and N at least 1; errors of the transform at NΔx.
+    pub fn on(medium: &Medium<R>, transform: &dyn Transform<R>, work: &R, spacing: R, reach: usize) -> Result<Self> {
         let spacing = Error::require_positive(Quantity::Spacing, spacing)?;
         if reach == 0 {
             return Err(Error::domain(Quantity::Parameter("the number of springs"), &spacing.lit(0), "at least 1"));
         }
-        let medium = Medium::from(material);
         let zero = spacing.lit(0);
         let (mut profile, mut critical, mut heights) = (vec![zero.clone()], vec![zero.clone()], vec![zero]);
+        // The strip in the middle is that of a contact of half the spacing.
+        let first = medium.reduced_stiffness(&spacing.clone().over(2)) / &spacing;
+        let mut shares = vec![first];
         for i in 1..=reach {
             let x = spacing.clone().times(i64::try_from(i).unwrap_or(i64::MAX));
             let height = transform.g(&x)?;
-            let elongation = medium.elongation(material.work_of_adhesion(), &x);
-            heights.push(height.clone().times(2) + &heights[i - 1]);
+            let elongation = medium.elongation(work, &x);
+            heights.push(medium.weighted(&x, height.clone()).times(2) + &heights[i - 1]);
+            shares.push(medium.weighted(&x, x.lit(1)).times(2) + &shares[i - 1]);
             critical.push(height.clone() - elongation);
             profile.push(height);
         }
-        let stiffness = spacing.clone() * medium.half_stiffness_slope(&spacing);
-        Ok(Foundation { spacing, stiffness, profile, critical, heights })
+        let stiffness = spacing.clone() * medium.modulus();
+        Ok(Foundation { spacing, stiffness, shares, profile, critical, heights })
     }
 
     /// The position of spring i, in m.
@@ -92,8 +117,7 @@ impl<R: Real> Foundation<R> {
     }
 
     fn force_on(&self, i: usize, d: &R) -> R {
-        let count = i64::try_from(2 * i + 1).unwrap_or(i64::MAX);
-        (d.clone().times(count) - &self.heights[i]) * &self.stiffness
+        (d.clone() * &self.shares[i] - &self.heights[i]) * &self.stiffness
     }
 
     /// Elongation of spring i at indentation `d`, in m; negative when it is compressed.

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use mdr::diagram::{Diagram, Equilibrium, Sample};
+use mdr::diagram::{CurveSample, Diagram, Equilibrium};
 use mdr::prelude::Stability;
 
 use crate::chart::{Colour, Layer, Mark, Point, Stroke};
@@ -33,7 +33,7 @@ impl Balance<'_> {
     /// The curve Δl(a).
     pub(crate) fn elongation(&self) -> Layer {
         let [radius, length] = self.units;
-        let point = |sample: &Sample| [sample.contact_radius / radius, sample.elongation / length];
+        let point = |sample: &CurveSample| [sample.contact_radius / radius, sample.elongation / length];
         Layer::curve("Δ*l*(*a*)", self.diagram.samples().map(point).collect(), Stroke::Solid).coloured(ADHESION)
     }
 

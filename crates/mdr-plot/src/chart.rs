@@ -52,7 +52,7 @@ pub struct Layer {
     pub points: Vec<Point>,
     /// How the points are drawn.
     pub look: Look,
-    /// Of all that is drawn.
+    /// The colour of lines, marks and labels.
     pub colour: Colour,
     /// The meaning of the layer, for the legend. Layers with the same text share an entry.
     pub legend: Option<String>,

@@ -4,19 +4,19 @@ use crate::{Axis, Colour, Layer, Mark, Panel, Picture, Stroke, Unit};
 
 /// A question that several methods answer.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Question<'a> {
+pub struct ComparedQuestion<'a> {
     /// The question in words.
     pub title: &'a str,
     /// The digits that any method in double precision is left with, drawn as a line of relative errors; without them the
     /// digits of the answers are drawn instead.
     pub attainable: Option<f64>,
     /// Who answers.
-    pub methods: Vec<Method<'a>>,
+    pub methods: Vec<ComparedMethod<'a>>,
 }
 
 /// A method, and its answers with growing effort.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Method<'a> {
+pub struct ComparedMethod<'a> {
     /// Its name.
     pub name: &'a str,
     /// Whether it comes from a textbook, for comparison: its marks are open.
@@ -31,21 +31,22 @@ const LARGEST: f64 = 10.0;
 /// A panel for each question and a curve for each method, both axes logarithmic.
 ///
 /// ```
-/// use mdr_plot::{Method, Question, comparison};
+/// use mdr_plot::{ComparedMethod, ComparedQuestion, comparison};
 /// let answers = vec![(1e-6, Some(3.0)), (4e-6, Some(12.5)), (9e-6, None)];
-/// let methods = vec![Method { name: "quadrature", textbook: false, answers }];
-/// let picture = comparison("Transforms", &[Question { title: "g(0.7)", attainable: Some(15.5), methods }]);
+/// let methods = vec![ComparedMethod { name: "quadrature", textbook: false, answers }];
+/// let picture = comparison("Transforms", &[ComparedQuestion { title: "g(0.7)", attainable: Some(15.5), methods }]);
 /// assert!(picture.csv().contains("quadrature"));
 /// ```
-pub fn comparison(title: &str, questions: &[Question<'_>]) -> Picture {
+pub fn comparison(title: &str, questions: &[ComparedQuestion<'_>]) -> Picture {
     let mut names: Vec<&str> = Vec::new();
     for method in questions.iter().flat_map(|question| &question.methods) {
         if !names.contains(&method.name) {
             names.push(method.name);
         }
     }
-    let colour =
-        |method: &Method<'_>| Colour::series(names.iter().position(|name| *name == method.name).unwrap_or_default());
+    let colour = |method: &ComparedMethod<'_>| {
+        Colour::series(names.iter().position(|name| *name == method.name).unwrap_or_default())
+    };
     let mut panels: Vec<Panel> = questions.iter().map(|question| panel(question, colour)).collect();
     if let Some((first, others)) = panels.split_first_mut() {
         // One legend is enough: the first panel has those of all.
@@ -63,7 +64,7 @@ pub fn comparison(title: &str, questions: &[Question<'_>]) -> Picture {
     }
 }
 
-fn panel(question: &Question<'_>, colour: impl Fn(&Method<'_>) -> Colour) -> Panel {
+fn panel(question: &ComparedQuestion<'_>, colour: impl Fn(&ComparedMethod<'_>) -> Colour) -> Panel {
     let answers = || question.methods.iter().flat_map(|method| &method.answers);
     let [fastest, slowest] = decades(answers().map(|(seconds, _)| *seconds));
     let time = Axis::log("time of an answer", Unit::Si("s"), fastest, slowest);

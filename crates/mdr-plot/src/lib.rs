@@ -57,9 +57,13 @@ mod svg;
 
 pub use axis::{Axis, Unit, typographic};
 pub use chart::{Colour, Layer, Look, Mark, Panel, Picture, Point, Side, Stroke, Theme};
-pub use comparison::{Method, Question, comparison};
+pub use comparison::{ComparedMethod, ComparedQuestion, comparison};
 pub use data::{CSV_HEADER, is_data};
 #[cfg(feature = "fit")]
 pub use fit::fit;
 pub use judged::judged;
 pub use scene::scene;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,9 +1,9 @@
 //! Force against indentation depth or against contact radius, with branches, folds and the events of a path.
 
-use mdr::diagram::{Branch, Diagram, Event, Sample, State};
+use mdr::diagram::{Branch, CurveSample, Diagram, DiagramEvent, State};
 use mdr::prelude::EventKind;
 
-use crate::balance::LOSS;
+use crate::balance::{ADHESION, LOSS};
 use crate::chart::{Layer, Mark, Panel, Point, Side, Stroke};
 use crate::scene::radius_axis;
 use crate::{Axis, Unit};
@@ -74,7 +74,7 @@ fn states(data: &Diagram) -> Vec<State> {
     states.extend(data.folds.iter().copied());
     let radii = || states.iter().map(|state| state.contact_radius).filter(|radius| *radius > 0.0);
     let (least, most) = (radii().fold(f64::INFINITY, f64::min), radii().fold(0.0, f64::max));
-    let seen = |sample: &&Sample| states.is_empty() || (least..=most).contains(&sample.contact_radius);
+    let seen = |sample: &&CurveSample| states.is_empty() || (least..=most).contains(&sample.contact_radius);
     let between: Vec<State> = data.samples().filter(seen).map(state).collect();
     states.extend(between);
     states.extend(data.wall.iter().flatten());
@@ -92,7 +92,7 @@ fn near(data: &Diagram, states: &[State]) -> Vec<State> {
     apart.filter(|state| (2.0 * least - most..=2.0 * most - least).contains(&state.indentation)).collect()
 }
 
-fn state(sample: &Sample) -> State {
+fn state(sample: &CurveSample) -> State {
     State { contact_radius: sample.contact_radius, indentation: sample.indentation, force: sample.force }
 }
 
@@ -112,6 +112,11 @@ fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
             let points = samples.iter().map(|sample| plane.point(&state(sample))).collect();
             Layer::curve(name, points, stroke).meaning(format!("{name}{every}"))
         }));
+    }
+    for Branch { samples, .. } in data.advancing.iter().filter(|branch| branch.stable) {
+        let points = samples.iter().map(|sample| plane.point(&state(sample))).collect();
+        let layer = Layer::curve("advancing edge", points, Stroke::Thin).coloured(ADHESION);
+        layers.push(layer.meaning("equilibria of an advancing edge"));
     }
     layers
 }
@@ -141,7 +146,7 @@ fn loop_area(data: &Diagram, plane: Plane) -> Option<Layer> {
 }
 
 /// Whether a path comes back to its first state by another way.
-fn is_cycle(path: &[Event]) -> bool {
+fn is_cycle(path: &[DiagramEvent]) -> bool {
     let jumps = path.iter().any(|event| event.before != event.after);
     match (path.first().and_then(|event| event.after), path.last().and_then(|event| event.before)) {
         (Some(first), Some(last)) => {
@@ -155,10 +160,10 @@ fn is_cycle(path: &[Event]) -> bool {
 
 /// The states on a branch from one to another; in a straight line where they are apart or at a wall.
 fn smooth(data: &Diagram, from: &State, to: &State) -> Vec<State> {
-    let (lower, upper) = (from.contact_radius.min(to.contact_radius), from.contact_radius.max(to.contact_radius));
+    let [start, end] = [from.contact_radius, to.contact_radius];
     // Apart there is no branch.
-    let between = |a: f64| lower != 0.0 && a > lower && a < upper;
-    let inner = data.samples().filter(|sample| between(sample.contact_radius));
+    let apart = start == 0.0 || end == 0.0;
+    let inner = data.samples_between(start, end).filter(|_| !apart);
     let mut states: Vec<State> = inner.map(state).collect();
     if from.contact_radius > to.contact_radius {
         states.reverse();

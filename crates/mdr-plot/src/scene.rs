@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use mdr::diagram::{DECADES, Diagram, HeldCurve, Sample, SearchQuality, State};
+use mdr::diagram::{CurveSample, DECADES, Diagram, HeldCurve, SearchQuality, State};
 use mdr::prelude::{Control, Stability};
 
 use crate::balance::{Balance, change, shifted};
@@ -39,7 +39,7 @@ pub(crate) fn radius_axis(data: &Diagram) -> Axis {
     if spans_decades(data) {
         Axis::log(NAME, Unit::Si("m"), lower, upper)
     } else {
-        // A wall is seen from outside, too.
+        // A vertical edge is also visible from outside.
         Axis::linear(NAME, Unit::Si("m"), 0.0, if data.wall.is_some() { 1.1 * upper } else { upper })
     }
 }
@@ -125,7 +125,7 @@ fn directions(data: &Diagram, held: &HeldCurve, Panel { x, y, .. }: &Panel) -> V
     const REACH: f64 = 0.06;
     let states = held.equilibria.iter().map(|state| x.fraction(state.contact_radius));
     let ends: Vec<f64> = [0.0].into_iter().chain(states).chain([1.0]).collect();
-    let samples: Vec<&Sample> = data.samples().collect();
+    let samples: Vec<&CurveSample> = data.samples().collect();
     let height = y.at(0.07);
     let mut layers = Vec::new();
     for pair in ends.windows(2).filter(|pair| pair[1] - pair[0] > 1.6 * REACH) {

@@ -6,7 +6,8 @@ use mdr::diagram::Diagram;
 use mdr::prelude::*;
 use mdr_plot::figures::FIGURES;
 use mdr_plot::{
-    Axis, Colour, Layer, Mark, Method, Panel, Picture, Question, Side, Stroke, Theme, Unit, comparison, scene,
+    Axis, Colour, ComparedMethod, ComparedQuestion, Layer, Mark, Panel, Picture, Side, Stroke, Theme, Unit, comparison,
+    scene,
 };
 use roxmltree::{Document, Node};
 
@@ -135,8 +136,8 @@ fn a_jump_goes_through_states_that_its_control_leaves() {
 #[test]
 fn a_long_heading_stays_over_its_panel() {
     let question = |title| {
-        let methods = vec![Method { name: "quadrature", textbook: false, answers: vec![(1e-6, Some(3.0))] }];
-        Question { title, attainable: Some(15.5), methods }
+        let methods = vec![ComparedMethod { name: "quadrature", textbook: false, answers: vec![(1e-6, Some(3.0))] }];
+        ComparedQuestion { title, attainable: Some(15.5), methods }
     };
     let radius = "contact radius at the instability of a wavy paraboloid, the first on pulling";
     let depth = "indentation depth at the instability of a wavy paraboloid, the first on pulling";

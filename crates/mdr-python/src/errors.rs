@@ -22,7 +22,7 @@ where
     })
 }
 
-/// Of a question about a contact.
+/// An error about a contact, as a Python exception.
 pub(crate) fn of_contact(error: ContactError) -> PyErr {
     let text = error.to_string();
     match error {
@@ -38,7 +38,7 @@ pub(crate) fn of_contact(error: ContactError) -> PyErr {
     }
 }
 
-/// Of a scene. One that is no file is called "", and its complaints have no place.
+/// An error about a scene, as a Python exception. A scene that is no file is called "", and its complaints have no place.
 pub(crate) fn of_library(error: mdr::Error) -> PyErr {
     let text = error.to_string();
     match error {

@@ -104,7 +104,7 @@ struct ContactRow {
     flags: Vec<String>,
     /// The label of the record of its κ, which contacts of the same exponent share.
     kappa: Option<String>,
-    /// Of those of a case, if not all.
+    /// Its controls, where they are not all controls of the case.
     controls: Option<Vec<String>>,
     /// The radii between which all folds are proved.
     range: Option<[String; 2]>,

@@ -1,4 +1,4 @@
-//! Certified fits of the data sets: estimates, standard errors and sums of squares.
+//! CertifiedFit fits of the data sets: estimates, standard errors and sums of squares.
 //!
 //! [`mdr`] proves the digits: Krawczyk's operator on the normal equations. The second method has heights f(r) only: residuals by
 //! quadrature at the certified estimates, derivatives by differences of them. The normal equations, the sum of squares and the
@@ -10,7 +10,7 @@ use std::sync::Arc;
 use mdr::prelude::{Literal, Shape};
 use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Decimal, Precision, Real};
-use mdr_fit::{Certified, Fit, FittedRow, Observation, Problem};
+use mdr_fit::{CertifiedFit, Fit, FittedRow, Observation, Problem};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::{DataSet, Method, Record};
@@ -123,7 +123,7 @@ impl Known {
 
     /// Whether residuals by quadrature satisfy the normal equations at the certified estimates, with the certified sum of squares and
     /// standard errors.
-    fn confirm(&self, problem: &Problem, fit: &Fit, proved: &Certified) -> Result<()> {
+    fn confirm(&self, problem: &Problem, fit: &Fit, proved: &CertifiedFit) -> Result<()> {
         let ctx = Precision::from_digits(WORKING);
         let mut numbers = BTreeMap::new();
         for (name, number) in self.shape.parameters() {

@@ -167,3 +167,7 @@ fn float(ctx: Precision, value: &Decimal) -> Float {
     let parsed = Float::parse(value.to_string());
     parsed.map_or_else(|_| Float::with_val(ctx.bits(), f64::NAN), |text| Float::with_val(ctx.bits(), text))
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

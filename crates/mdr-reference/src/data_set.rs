@@ -13,6 +13,7 @@ use crate::record::Record;
 /// assert!(set.fit.contains("kind = \"paraboloid\"") && set.curve.starts_with("indentation,force"));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct DataSet {
     /// Its name, such as `sphere1`.
     pub name: &'static str,

@@ -52,3 +52,7 @@ pub use judge::{
 };
 pub use record::{Certified, Method, Record, Status, UNIT_ROUNDOFF};
 pub use table::{Table, TableFormat};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

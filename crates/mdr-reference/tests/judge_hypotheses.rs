@@ -81,7 +81,7 @@ fn the_formulas_of_this_file_are_right() {
 
 #[test]
 fn work_of_adhesion() {
-    for (name, factor) in [("work-halved", 0.5), ("work-doubled", 2.0)] {
+    for (name, factor) in [("work-halved", 0.5), ("work-doubled", 2.0), ("work-mJ", 1e3)] {
         let found = found(|question, c| fold(question, Contact { work: factor * c.work, ..c }));
         assert_names(&found, name);
         assert_eq!(found[0].names, [name]);
@@ -90,7 +90,8 @@ fn work_of_adhesion() {
 
 #[test]
 fn radius() {
-    for (name, factor) in [("radius-halved", 0.5), ("radius-doubled", 2.0)] {
+    let units = [("radius-mm", 1e3), ("radius-µm", 1e6), ("radius-nm", 1e9)];
+    for (name, factor) in [("radius-halved", 0.5), ("radius-doubled", 2.0)].into_iter().chain(units) {
         let planted = |question: &Record, c: Contact| fold(question, Contact { radius: factor * c.radius, ..c });
         let spheres = |question: &Record| Contact::of(question).filter(|contact| contact.slope.is_none());
         assert_names(&explained(|question| Some(planted(question, spheres(question)?))), name);
@@ -107,6 +108,9 @@ fn modulus() {
     planted("modulus-from-k", 0.75);
     planted("modulus-two-bodies", 0.5);
     planted("modulus-one-of-two", 2.0);
+    planted("modulus-kPa", 1e-3);
+    planted("modulus-MPa", 1e-6);
+    planted("modulus-GPa", 1e-9);
     for (text, ratio) in [("0.2", 0.2), ("0.25", 0.25), ("0.28", 0.28), ("0.3", 0.3), ("0.33", 0.33)]
         .into_iter()
         .chain([("0.35", 0.35), ("0.4", 0.4), ("0.45", 0.45), ("0.49", 0.49), ("0.5", 0.5_f64)])
@@ -116,6 +120,7 @@ fn modulus() {
         planted(&format!("modulus-two-bodies-{text}"), 0.5 / flat);
         planted(&format!("modulus-of-one-{text}"), flat);
         planted(&format!("modulus-one-of-two-{text}"), 2.0 * flat);
+        planted(&format!("modulus-shear-{text}"), (1.0 - ratio) / 2.0);
     }
 }
 
@@ -153,6 +158,68 @@ fn units_of_transforms() {
         plain.then(|| factor * question.nearest())
     });
     assert_names(&found, "mm");
+}
+
+/// Lengths in nm and forces in nN: two conventions, each of its answers. A sign beside them is a third.
+#[test]
+fn several_units() {
+    let planted = |question: &Record, contact: Contact| {
+        let factor = if question.quantity == "force" { 1e9 } else { 1e6 };
+        factor * fold(question, contact)
+    };
+    let mut names: Vec<_> = found(planted).into_iter().map(|found| found.names).collect();
+    names.sort();
+    assert_eq!(names, [["nN"], ["µm"]]);
+    let with_sign = |question: &Record, contact: Contact| match question.quantity.as_str() {
+        "indentation" => -fold(question, contact),
+        "force" => 1e3 * fold(question, contact),
+        _ => fold(question, contact),
+    };
+    let mut names: Vec<_> = found(with_sign).into_iter().map(|found| found.names).collect();
+    names.sort();
+    assert_eq!(names, [["indentation-sign"], ["mN"]]);
+}
+
+/// π stands beside w in every critical state of a sphere; a cone has another in κ.
+#[test]
+fn rounded_pi() {
+    let spheres = |question: &Record| Contact::of(question).filter(|contact| contact.slope.is_none());
+    for (name, pi) in [("pi-3.14", 314.0 / 100.0), ("pi-22-over-7", 22.0 / 7.0)] {
+        let planted = |question: &Record, c: Contact| fold(question, Contact { work: c.work * pi / PI, ..c });
+        assert_names(&explained(|question| Some(planted(question, spheres(question)?))), name);
+    }
+}
+
+/// What explains one answer of a state and not the others is no explanation: w or R a thousand times too large makes forces that
+/// look like mN, and w/2 with 2R makes contact radii like those of E*/2.
+#[test]
+fn wrong_answers_contradict() {
+    let spheres = |question: &Record| Contact::of(question).filter(|contact| contact.slope.is_none());
+    for (work, radius, looks_like) in
+        [(1e3, 1.0, "mN"), (1.0, 1e3, "mN"), (1e9, 1.0, "nN"), (0.5, 2.0, "modulus-two-bodies")]
+    {
+        let planted = |question: &Record| {
+            let c = spheres(question)?;
+            Some(fold(question, Contact { work: work * c.work, radius: radius * c.radius, ..c }))
+        };
+        let found = explained(planted);
+        assert!(
+            found.iter().all(|found| !found.names.iter().any(|name| name == looks_like)),
+            "{work} {radius}: {found:?}"
+        );
+        // Without the answers that contradict it, it would be named.
+        let quantity = if looks_like == "modulus-two-bodies" { "contact_radius" } else { "force" };
+        let part = explained(|question| planted(question).filter(|_| question.quantity == quantity));
+        assert!(
+            part.iter().any(|found| found.names.iter().any(|name| name == looks_like)),
+            "{work} {radius}: {part:?}"
+        );
+    }
+    let both = explained(|question| {
+        let c = spheres(question)?;
+        Some(fold(question, Contact { work: 0.5 * c.work, radius: 2.0 * c.radius, ..c }))
+    });
+    assert_eq!(both, []);
 }
 
 /// In the units of Maugis every sphere has the same critical states: F = −3/2, a³ = 3/2 under a dead load, F = −5/6,
@@ -265,12 +332,11 @@ fn a_sentence() {
     );
     let printed = found(|question, contact| format!("{:.5e}", halved(question, contact)).parse().unwrap());
     assert_eq!((printed[0].names[0].as_str(), printed[0].digits), ("work-halved", 5));
-    let forces = |question: &Record, contact: Contact| match question.quantity.as_str() {
-        "force" => halved(question, contact),
-        "indentation" => 7.0 * fold(question, contact),
-        _ => 5.0 * fold(question, contact),
+    let spheres = |question: &Record, contact: Contact| match contact.slope {
+        None => halved(question, contact),
+        Some(_) => 7.0 * fold(question, contact),
     };
-    let found = found(forces);
+    let found = found(spheres);
     assert_eq!(found[0].names, ["work-halved"]);
     assert!(found[0].explained < found[0].not_right, "{found:?}");
     assert!(found[0].to_string().contains("can be tested"), "{}", found[0]);

@@ -59,7 +59,7 @@
 //! Γ(n/2) and Γ((n+1)/2) to one n, and at n = 1/2 κ_n to Γ(3/4). If terms differ in two members of such a family, the
 //! result is [`Undecided::HiddenRelation`], and intervals are needed. An equality proved with κ as a symbol is valid
 //! for κ_n; if κ is the only member, a difference shows that the two sides are not equal for every κ. For κ_n itself
-//! that is shown by its value at one point, which rigorous arithmetic provides ([`formula::Arithmetic`]). g, g', ∫g and
+//! that is shown by its value at one point, which rigorous arithmetic provides ([`formula::Evaluator`]). g, g', ∫g and
 //! ∫g² represent their values at a radius, which are independent as the profile is arbitrary; a difference shows that
 //! the two sides are not equal for every profile. All other symbols are free numbers, also those to which the text of a
 //! derivation gives a value: t, s, ρ, μ, y, Λ. The value is substituted with `at` where it is used.
@@ -107,3 +107,7 @@ pub use quotient::Quotient;
 pub use rational_function::RationalFunction;
 pub use statement::{Decision, Relation, Statement, Undecided, Witness};
 pub use symbol::Symbol;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -37,6 +37,7 @@ pub enum Relation {
 /// # Ok::<(), mdr_symbolic::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Statement {
     /// The left side.
     pub left: Formula,

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
-use mdr_symbolic::formula::{Arithmetic, Function, evaluate};
+use mdr_symbolic::formula::{Evaluator, Function, evaluate};
 use mdr_symbolic::{Domain, Expression, Formula, Polynomial, RationalFunction, Symbol};
 use proptest::prelude::*;
 use rug::Rational;
@@ -66,7 +66,7 @@ struct Exact {
     values: [Rational; 2],
 }
 
-impl Arithmetic for Exact {
+impl Evaluator for Exact {
     /// `None` after a division by zero.
     type Value = Option<Rational>;
 

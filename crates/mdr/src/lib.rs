@@ -55,6 +55,21 @@
 //! # Accuracy
 //! Certified digits are proved and correctly rounded. Estimated digits agree in two working precisions. Doubles are accurate to
 //! some roundings times the condition of the question, and never stand in for a number that f64 cannot hold.
+//!
+//! # What mdr does not do
+//! * **Adhesion of long range**: only Tabor's number, and the states and pull-off force of Maugis–Dugdale: [`validity`].
+//! * **Friction and tangential loads**: surfaces slide freely, and the load is normal.
+//! * **Viscosity, plasticity, wear, electric charge, capillary bridges**: bodies are linearly elastic, and w depends on no rate.
+//! * **Layers and thin samples**: the elastic body is deep against the contact.
+//! * **Large strains and steep flanks**: slopes are small against 1; [`validity`] has the slope at the edge.
+//! * **Several contacts**: the contact is one disc. A state whose surfaces would overlap outside of it is marked as not admissible.
+//! * **Bodies without an axis**: profiles are f(r), or f(x) of a line contact.
+//! * **Dynamics**: a jump leads to the next equilibrium at once; its energy is reported, its duration is not.
+//!
+//! # Documents of the repository
+//! `docs/theory.md` restates the theory, `docs/scenes.md` has all keys of a scene, `docs/validity.md` helps to decide whether the theory
+//! holds, `docs/fit.md` is about fits, `docs/accuracy.md` about what each arithmetic promises, `docs/conformance.md` leads from
+//! equations to functions and tests, `docs/contributing.md` has recipes for additions. `make book` shows them as pages.
 
 #![forbid(unsafe_code)]
 
@@ -111,7 +126,7 @@ pub mod contact {
     pub use mdr_numeric::function::{Differentiated, Function};
     pub use mdr_numeric::medium::{Adhesion, Medium};
     pub use mdr_numeric::path;
-    pub use mdr_numeric::transform::Quadrature;
+    pub use mdr_numeric::transform::{LineLoad, Powers, Quadrature, Wave, Weighted, graded_kappa};
 }
 
 /// The reader of TOML and JSON with places, for documents that contain parts of scenes: a fit, for example.
@@ -130,6 +145,10 @@ pub mod prelude {
     pub use mdr_numeric::path::EventKind;
 
     pub use crate::answer::{Answer, Field, Number, Output, OutputKind, Promise, Value};
-    pub use crate::scene::{Arithmetic, Formula, Measured, Profile, Scene, Start, Want};
+    pub use crate::scene::{Arithmetic, Formula, Grading, Measured, Medium, Profile, Scene, Start, Want};
     pub use crate::{Error, Observer, Run, Stop};
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

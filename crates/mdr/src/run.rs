@@ -1,4 +1,4 @@
-//! What happens while a scene is solved: an observer is told, a run can be stopped, and evaluations are counted.
+//! Control of a computation: progress for an observer, a stop, and the count of evaluations.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,10 +11,11 @@ use crate::scene::Want;
 /// The arithmetics, as costs name them.
 pub const ARITHMETICS: [&str; 4] = ["f64", "mp", "interval", "interval with slope"];
 
-/// What an output cost. Time is taken by who has a clock.
+/// The cost of an output. Times are measured by the caller.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Cost {
-    /// Of which output.
+    /// The kind of the output.
     pub output: OutputKind,
     /// Evaluations of g, its slope and its integral in each of the [`ARITHMETICS`].
     pub evaluations: [Evaluations; ARITHMETICS.len()],
@@ -30,10 +31,10 @@ impl Cost {
 
 /// Follows a run: a progress bar, a log, a page that shows each output as soon as it is there.
 pub trait Observer {
-    /// An output is being computed.
+    /// Called when an output begins.
     fn begin(&mut self, _: &Want) {}
 
-    /// It is there.
+    /// Called when an output is complete.
     fn output(&mut self, _: &Output, _: &Cost) {}
 }
 
@@ -85,8 +86,7 @@ pub fn free_thread_cache() {
     rug::float::free_cache(rug::float::FreeCache::Local);
 }
 
-/// How a scene is solved: who is told, what stops it, and how much it may work; by default nobody, nothing, and
-/// [`BUDGET`] an output.
+/// How a scene is solved: its observer, its stop, and its budget of work; by default none, none, and [`BUDGET`] an output.
 #[derive(Default)]
 pub struct Run<'a> {
     pub(crate) observer: Option<&'a mut dyn Observer>,

@@ -142,9 +142,7 @@ pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
     let scene = &scene.clone().control(Control::Force);
     Ok(Some(match scene.arithmetic {
         #[cfg(feature = "mp")]
-        crate::scene::Arithmetic::Certified { digits } if scene.profile.is_closed() => {
-            in_digits(scene, range, digits, counts)?
-        }
+        crate::scene::Arithmetic::Certified { digits } if scene.is_closed() => in_digits(scene, range, digits, counts)?,
         _ => {
             let search = Search::new(scene, counts)?;
             let folds = lack(search.folds().cloned())?;

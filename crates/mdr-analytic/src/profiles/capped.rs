@@ -6,10 +6,14 @@ use mdr_core::number::Special;
 use super::edge::{Edge, around, atanh_moment};
 use super::ranged::{Scale, length, ratio};
 use super::smooth::{Paraboloid, Sphere};
-use super::{ClosedForm, positive, scaled, transform};
+use super::{ClosedForm, positive, scaled, shapes, transform};
 use crate::range::representable;
 
 transform!(ParabolicCapCone, SphericalCapCone);
+shapes!(Special {
+    ConeParabolicCap { flank, cap } => ParabolicCapCone::new(flank.slope(), cap),
+    ConeSphericalCap { flank, radius } => SphericalCapCone::new(flank.slope(), radius),
+});
 scaled!(ParabolicCapCone { slope: ratio, cap: length, tip: Scale::scaled });
 scaled!(SphericalCapCone { slope: ratio, radius: length, cap: length, level: length, tip: Scale::scaled });
 

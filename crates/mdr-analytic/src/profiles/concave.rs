@@ -7,9 +7,14 @@ use mdr_core::number::Special;
 use super::edge::{Edge, around, atanh_excess};
 use super::ranged::{Scale, length};
 use super::smooth::Ellipsoid;
-use super::{ClosedForm, positive, profiles, scaled, transform};
+use super::{ClosedForm, positive, profiles, scaled, shapes, transform};
 
 transform!(DisplacedParaboloid, ParabolicDimple, EllipticalDimple);
+shapes!(Special {
+    DisplacedParaboloid { radius, offset } => DisplacedParaboloid::new(radius, offset),
+    ParabolicDimple { depth, radius } => ParabolicDimple::new(depth, radius),
+    EllipticalDimple { depth, radius } => EllipticalDimple::new(depth, radius),
+});
 scaled!(EllipticalDimple { depth: length, radius: length, inside: Scale::scaled });
 
 profiles! {

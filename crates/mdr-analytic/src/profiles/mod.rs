@@ -34,13 +34,13 @@ pub mod smooth;
 mod sum;
 pub mod wavy;
 
-pub use capped::{ParabolicCapCone, SphericalCapCone};
-pub use concave::{DisplacedParaboloid, EllipticalDimple, ParabolicDimple};
-pub use punch::{FlatPunch, RoundedPunch, TruncatedCone, TruncatedParaboloid};
+pub use capped::*;
+pub use concave::*;
+pub use punch::*;
 pub use shape::closed_form;
-pub use smooth::{Cone, Ellipsoid, Hyperboloid, Paraboloid, Sphere};
+pub use smooth::*;
 pub use sum::Sum;
-pub use wavy::WavyParaboloid;
+pub use wavy::*;
 
 use mdr_core::contact::{Error, Kink, Quantity, Result};
 use mdr_core::number::{Real, Special};
@@ -129,6 +129,22 @@ macro_rules! transform {
     )*};
 }
 use transform;
+
+/// `closed_form` of a module, for the shapes whose profiles are in it: `None` for any other shape.
+macro_rules! shapes {
+    ($bound:ident { $($shape:ident { $($field:ident),* } => $profile:expr,)* }) => {
+        pub(super) fn closed_form<R: $bound>(
+            shape: &mdr_core::contact::Shape<R>,
+        ) -> Option<mdr_core::contact::Result<Box<dyn mdr_core::contact::Transform<R>>>> {
+            use mdr_core::contact::{Shape, Transform};
+            match shape.clone() {
+                $(Shape::$shape { $($field),* } => Some($profile.map(|profile| Box::new(profile) as Box<dyn Transform<R>>)),)*
+                _ => None,
+            }
+        }
+    };
+}
+use shapes;
 
 /// `Scale` for a profile, from the function that scales each of its fields.
 macro_rules! scaled {

@@ -5,9 +5,15 @@ use mdr_core::number::Special;
 
 use super::edge::{Edge, tangent_excess};
 use super::ranged::{length, ratio};
-use super::{ClosedForm, profiles, transform};
+use super::{ClosedForm, profiles, shapes, transform};
 
 transform!(FlatPunch, TruncatedCone, TruncatedParaboloid, RoundedPunch);
+shapes!(Special {
+    FlatPunch { radius } => FlatPunch::new(radius),
+    TruncatedCone { flank, flat } => TruncatedCone::new(flank.slope(), flat),
+    TruncatedParaboloid { radius, flat } => TruncatedParaboloid::new(radius, flat),
+    RoundedPunch { radius, flat } => RoundedPunch::new(radius, flat),
+});
 
 profiles! {
 /// The flat punch f = 0 for r < b with a vertical edge at b: g = 0 for x ≤ b (Kendall 1971). The contact edge can stay

@@ -1,11 +1,8 @@
 //! The closed form of a shape by its name.
 
-use mdr_core::contact::{Result, Shape, Transform};
+use mdr_core::contact::{Error, Quantity, Result, Shape, Transform};
 
-use super::{
-    Cone, DisplacedParaboloid, Ellipsoid, EllipticalDimple, FlatPunch, Hyperboloid, ParabolicCapCone, ParabolicDimple,
-    Paraboloid, RoundedPunch, Sphere, SphericalCapCone, TruncatedCone, TruncatedParaboloid, WavyParaboloid,
-};
+use super::{capped, concave, punch, smooth, wavy};
 use crate::struve::Struve;
 use crate::{Kappa, PowerLaw};
 
@@ -22,24 +19,26 @@ use crate::{Kappa, PowerLaw};
 /// # Errors
 /// [`Error::Domain`](mdr_core::contact::Error::Domain) for a parameter outside its domain.
 pub fn closed_form<R: Struve + Kappa>(shape: Shape<R>) -> Result<Box<dyn Transform<R>>> {
-    Ok(match shape {
-        Shape::Power { n, c } => Box::new(PowerLaw::new(n, c)?),
-        Shape::Paraboloid { radius } => Box::new(Paraboloid::new(radius)?),
-        Shape::Cone { flank } => Box::new(Cone::new(flank.slope())?),
-        Shape::Sphere { radius } => Box::new(Sphere::new(radius)?),
-        Shape::Ellipsoid { lateral, height } => Box::new(Ellipsoid::new(lateral, height)?),
-        Shape::FlatPunch { radius } => Box::new(FlatPunch::new(radius)?),
-        Shape::TruncatedCone { flank, flat } => Box::new(TruncatedCone::new(flank.slope(), flat)?),
-        Shape::TruncatedParaboloid { radius, flat } => Box::new(TruncatedParaboloid::new(radius, flat)?),
-        Shape::ConeParabolicCap { flank, cap } => Box::new(ParabolicCapCone::new(flank.slope(), cap)?),
-        Shape::ConeSphericalCap { flank, radius } => Box::new(SphericalCapCone::new(flank.slope(), radius)?),
-        Shape::Hyperboloid { flank, lateral } => Box::new(Hyperboloid::new(flank.slope(), lateral)?),
-        Shape::RoundedPunch { radius, flat } => Box::new(RoundedPunch::new(radius, flat)?),
-        Shape::DisplacedParaboloid { radius, offset } => Box::new(DisplacedParaboloid::new(radius, offset)?),
-        Shape::ParabolicDimple { depth, radius } => Box::new(ParabolicDimple::new(depth, radius)?),
-        Shape::EllipticalDimple { depth, radius } => Box::new(EllipticalDimple::new(depth, radius)?),
-        Shape::WavyParaboloid { radius, amplitude, wavelength } => {
-            Box::new(WavyParaboloid::new(radius, amplitude, wavelength)?)
-        }
+    if let Shape::Power { n, c } = shape {
+        return Ok(Box::new(PowerLaw::new(n, c)?));
+    }
+    let modules =
+        [smooth::closed_form, punch::closed_form, capped::closed_form, concave::closed_form, wavy::closed_form];
+    modules.into_iter().find_map(|closed_form| closed_form(&shape)).unwrap_or_else(|| {
+        let (quantity, value) = (Quantity::Parameter("the shape"), shape.name().to_owned());
+        Err(Error::Domain { quantity, value, requirement: "one whose transform is a closed form" })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_shape_has_a_closed_form() {
+        for name in Shape::names() {
+            let shape = Shape::by_name(name).unwrap().map(|_, ()| 0.5);
+            assert!(closed_form(shape).is_ok_and(|profile| profile.g(&0.25).is_ok_and(f64::is_finite)), "{name}");
+        }
+    }
 }

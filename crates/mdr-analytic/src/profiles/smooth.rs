@@ -4,9 +4,16 @@ use mdr_core::contact::{Kink, Result, Slopes};
 use mdr_core::number::Special;
 
 use super::ranged::{Scale, length, ratio};
-use super::{ClosedForm, positive, profiles, scaled, transform};
+use super::{ClosedForm, positive, profiles, scaled, shapes, transform};
 
 transform!(Cone, Paraboloid, Sphere, Ellipsoid, Hyperboloid);
+shapes!(Special {
+    Paraboloid { radius } => Paraboloid::new(radius),
+    Cone { flank } => Cone::new(flank.slope()),
+    Sphere { radius } => Sphere::new(radius),
+    Ellipsoid { lateral, height } => Ellipsoid::new(lateral, height),
+    Hyperboloid { flank, lateral } => Hyperboloid::new(flank.slope(), lateral),
+});
 scaled!(Sphere { 0: Scale::scaled });
 
 profiles! {

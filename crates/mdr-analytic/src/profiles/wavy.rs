@@ -3,11 +3,14 @@
 use mdr_core::contact::{Error, Quantity, Result};
 
 use super::ranged::{Scale, length};
-use super::{ClosedForm, Paraboloid, positive, transform};
+use super::{ClosedForm, Paraboloid, positive, shapes, transform};
 use crate::range::representable;
 use crate::struve::{Struve, small_h1};
 
 transform!(Struve: WavyParaboloid);
+shapes!(Struve {
+    WavyParaboloid { radius, amplitude, wavelength } => WavyParaboloid::new(radius, amplitude, wavelength),
+});
 
 /// f = r²/2R + A(1 − cos kr), k = 2π/λ: g = x²/R + (π/2)Akx H₀(kx), with the Struve function H₀ (Guduru 2007).
 ///

@@ -36,7 +36,7 @@ const LONGEST: usize = 1 << 20;
 /// A reader that ends with an error at a line that is too long.
 struct Lines<R> {
     from: R,
-    /// Of the line so far.
+    /// The bytes of the line so far.
     length: usize,
 }
 

@@ -132,7 +132,7 @@ impl Critical {
         match (&self.e_star, given) {
             (Some(e_star), None) => Ok(Elasticity::Effective(Flag::new("--e-star", e_star).positive(SiUnit::Pascal)?)),
             (Some(e_star), Some(body)) => Err(Flag::new("--e-star", e_star)
-                .refuse(format!("give E* or two bodies, not both ({} {} is given, too)", body.name, body.text))),
+                .refuse(format!("give E* or two bodies, not both (got also {} {})", body.name, body.text))),
             (None, None) => Err(Failure::missing("--e-star", "give E*, or two bodies with --e1 --nu1 --e2 --nu2")),
             (None, Some(body)) => {
                 let given = format!("two bodies need --e1 --nu1 --e2 --nu2 ({} {} is given)", body.name, body.text);

@@ -8,7 +8,7 @@ use clap::Args;
 use mdr_crosscheck::ladders::Ladder;
 use mdr_crosscheck::work_precision::{Clock, Comparison, Point, Series};
 use mdr_crosscheck::{Findings, Level};
-use mdr_plot::{Method, Question};
+use mdr_plot::{ComparedMethod, ComparedQuestion};
 
 use crate::error::Result;
 use crate::output::{Format, Output};
@@ -98,13 +98,13 @@ fn find(level: Level, runs: usize) -> Result<Findings> {
 }
 
 /// The part of a question that is drawn: the answers with a time.
-fn question(comparison: &Comparison) -> Question<'_> {
+fn question(comparison: &Comparison) -> ComparedQuestion<'_> {
     let answer = |point: &Point| Some((point.seconds?, point.outcome.digits()));
-    let method = |series: &Series| Method {
+    let method = |series: &Series| ComparedMethod {
         name: series.method,
         textbook: !series.ours,
         answers: series.points.iter().filter_map(answer).collect(),
     };
     let (title, attainable) = (&comparison.title, comparison.attainable);
-    Question { title, attainable, methods: comparison.series.iter().map(method).collect() }
+    ComparedQuestion { title, attainable, methods: comparison.series.iter().map(method).collect() }
 }

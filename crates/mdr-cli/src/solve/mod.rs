@@ -22,7 +22,7 @@ use crate::{files, progress};
 
 /// The help of `--f64`: hardware arithmetic achieves less here than for single closed forms.
 const IN_F64: &str =
-    "Hardware arithmetic instead: fast, to some roundings times the condition of what is asked; nothing is proved";
+    "Hardware arithmetic instead: fast, to some roundings times the condition of the question; nothing is proved";
 
 /// The help of `--plot`.
 const PICTURE: &str = "Draw the contact, its branches and its path as SVG, and write the data as CSV beside it; in f64";

@@ -31,25 +31,26 @@ fn for_reader(answer: &Answer, style: &NumberStyle) -> String {
         Arithmetic::Double => "f64".to_owned(),
     };
     let control = answer.control.map_or_else(String::new, |control| format!("; controlled: {}", control.name()));
-    let heading = format!("Profile: {}{control}; {digits}", answer.profile);
-    let parts = answer.outputs.iter().map(|part| output(part, answer.control, style));
+    let medium = answer.medium.map_or_else(String::new, |medium| format!("; medium: {medium}"));
+    let heading = format!("Profile: {}{medium}{control}; {digits}", answer.profile);
+    let parts = answer.outputs.iter().map(|part| output(answer, part, style));
     let basis = answer.admissibility.map(|basis| format!("Admissible: {}.", described(basis)));
     let notes = answer.notes.iter().map(|note| format!("Note: {note}."));
     let validity = answer.validity.as_ref().map(|validity| validity::text(validity, style));
     std::iter::once(heading).chain(notes).chain(parts).chain(basis).chain(validity).collect::<Vec<_>>().join("\n\n")
 }
 
-fn output(output: &Output, control: Option<ControlKind>, style: &NumberStyle) -> String {
+fn output(answer: &Answer, output: &Output, style: &NumberStyle) -> String {
     let rows = output.table();
-    let table = if rows.is_empty() { " none".to_owned() } else { table_of(output, &rows, control, style) };
+    let table = if rows.is_empty() { " none".to_owned() } else { table_of(answer, output, &rows, style) };
     let heading = format!("{} ({})", output.kind().name(), output.promise().name());
-    [heading, table].into_iter().chain(output.remarks(style)).collect::<Vec<_>>().join("\n\n")
+    [heading, table].into_iter().chain(answer.remarks(output, style)).collect::<Vec<_>>().join("\n\n")
 }
 
-fn table_of(output: &Output, rows: &[FlatRow], control: Option<ControlKind>, style: &NumberStyle) -> String {
+fn table_of(answer: &Answer, output: &Output, rows: &[FlatRow], style: &NumberStyle) -> String {
     let keys = columns(rows);
-    let unit = |key| output.title(key, control).1;
-    let titles = keys.iter().map(|key| output.title(key, control)).map(|(name, unit)| style.titled(name, unit));
+    let unit = |key| answer.title(output, key).1;
+    let titles = keys.iter().map(|key| answer.title(output, key)).map(|(name, unit)| style.titled(name, unit));
     let mut table = table(&titles.collect::<Vec<_>>());
     // Where the list is that of a range, its end is no end of the equilibria.
     let limited = output.rows().iter().any(|row| row.status() == Status::NoEquilibrium && row.why().is_some());

@@ -10,11 +10,11 @@ use crate::number::Real;
 /// Numbers of evaluations of a [`Transform`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Evaluations {
-    /// Of g.
+    /// Evaluations of g.
     pub g: u64,
-    /// Of g'.
+    /// Evaluations of g'.
     pub slope: u64,
-    /// Of the integral of g, of its mean, and of g minus its mean.
+    /// Evaluations of the integral of g, of its mean, and of g minus its mean.
     pub integral: u64,
 }
 

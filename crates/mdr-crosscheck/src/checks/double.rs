@@ -227,7 +227,7 @@ fn enter(trial: &mut Trial<'_>, name: &'static str, found: Ranged<f64>, expected
             trial.demand(format!("{name} underflows"), exact != 0 && exact.get_exp().is_some_and(|e| e <= -1074));
             (log10, exact)
         }
-        // Towards n = 1/2 some results, or what they come from, are out of the range of MPFR, too.
+        // Towards n = 1/2 some results, or intermediate ones, are also out of the range of MPFR.
         (Ranged::Overflow { .. } | Ranged::Underflow { .. }, Err(Error::OutOfRange { .. })) => return Ok(()),
         (_, Err(error)) => return Err(error),
     };

@@ -87,7 +87,7 @@ fn enclose<R: Arithmetic>(trial: &mut Trial<'_>, inputs: [&R; 5], c: &R, allowed
 pub(super) fn profile<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R::Ctx) -> Result<()> {
     let profile = Drawn::<R>::draw(trial, ctx);
     let beyond = trial.uniform(0.0, 1.0) < 0.7;
-    let a = profile.radius(trial, beyond, ctx);
+    let a = profile.radius(trial, beyond, ctx)?;
     let transform: Arc<dyn Transform<R>> = Arc::from(profile.closed::<R>()?);
     let e_star = R::from_f64(ctx, 10_f64.powf(trial.uniform(-9.0, 9.0)));
     // A separation and an opening near the height of the contact.

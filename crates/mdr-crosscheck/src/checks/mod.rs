@@ -29,7 +29,7 @@ pub(crate) use self::certified::literal;
 pub(crate) use self::kappa::{by_series, ln_kappa};
 
 use crate::grid::Held;
-use crate::report::{Row, Unit, Verdict};
+use crate::report::{CheckRow, CheckVerdict, ErrorUnit};
 use crate::subject::SubjectId;
 use crate::subject::profiles::NAMES;
 use crate::trial::Case;
@@ -38,7 +38,7 @@ use crate::trial::Case;
 #[derive(Debug)]
 pub(crate) struct Check {
     /// Its row of a report before any case.
-    pub(crate) row: Row,
+    pub(crate) row: CheckRow,
     /// The closed forms it would catch a mistake in.
     subjects: Vec<SubjectId>,
     /// Cases at the levels quick, default and full.
@@ -154,17 +154,17 @@ fn check(line: &'static str) -> Option<Check> {
     let cases = [quick, default, full].map(|count| count.parse().ok());
     let subjects: Option<Vec<_>> = subjects.split_whitespace().map(SubjectId::named).collect();
     Some(Check {
-        row: Row {
+        row: CheckRow {
             check: name.to_owned(),
             claim: claim.to_owned(),
             equations: equations.split_whitespace().map(str::to_owned).collect(),
-            unit: Unit::ALL.into_iter().find(|known| known.name() == unit)?,
+            unit: ErrorUnit::ALL.into_iter().find(|known| known.name() == unit)?,
             cases: 0,
             skipped: 0,
             failed: 0,
             worst: None,
             tightest: None,
-            verdict: Verdict::Skipped,
+            verdict: CheckVerdict::Skipped,
             errors: Vec::new(),
         },
         subjects: subjects?.concat(),

@@ -3,7 +3,7 @@
 use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Flank, Result, Shape, Transform};
+use mdr_core::contact::{Flank, Profile, Result, Shape, Transform};
 use mdr_core::number::{Dual, Lift, Real, Special};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
@@ -49,27 +49,29 @@ pub(super) struct Drawn<R> {
 }
 
 impl<R: Arithmetic> Drawn<R> {
-    /// The profile of this case, at any scale. The cap of a cone ends where the sphere has its slope.
+    /// The profile of this case, at any scale.
     pub(super) fn draw(trial: &mut Trial<'_>, ctx: R::Ctx) -> Self {
         let name = NAMES[trial.index % NAMES.len()];
         let length = R::from_f64(ctx, 10_f64.powf(trial.uniform(-15.0, 15.0)));
         let ratio = R::from_f64(ctx, 2_f64.powf(trial.uniform(-2.0, 1.0)));
         let slope = R::from_f64(ctx, 2_f64.powf(trial.uniform(-4.0, 1.0)));
-        let second = match name {
-            "cone-spherical-cap" => (slope.square() + slope.lit(1)).sqrt().inv() * &slope * &length,
-            _ => ratio * &length,
-        };
+        let second = ratio * &length;
         Drawn { name, length, second, slope }
     }
 
     /// A radius within the profile, off its edge by a fifth or more on the given side.
-    pub(super) fn radius(&self, trial: &mut Trial<'_>, beyond: bool, ctx: R::Ctx) -> R {
-        if matches!(self.name, "sphere" | "ellipsoid" | "elliptical-dimple") {
-            return self.length.clone() * R::from_f64(ctx, trial.uniform(0.05, 0.8));
+    ///
+    /// # Errors
+    /// Parameters out of their domain.
+    pub(super) fn radius(&self, trial: &mut Trial<'_>, beyond: bool, ctx: R::Ctx) -> Result<R> {
+        let heights = self.heights()?;
+        if let Some(end) = heights.outer_radius() {
+            return Ok(end * R::from_f64(ctx, trial.uniform(0.05, 0.8)));
         }
+        let edge = heights.kinks().into_iter().next().unwrap_or_else(|| self.second.clone());
         let octaves = trial.uniform(0.3, 2.0);
         let octaves = if beyond { octaves } else { -octaves };
-        self.second.clone() * R::from_f64(ctx, 2_f64.powf(octaves))
+        Ok(edge * R::from_f64(ctx, 2_f64.powf(octaves)))
     }
 
     /// The slope or height over L.
@@ -97,14 +99,12 @@ impl<R: Real> Drawn<R> {
     /// Its shapes, over numbers in which R is a constant.
     fn terms<S: Lift<R>>(&self) -> Vec<Shape<S>> {
         let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
-        // The edge of a dimple is where its formula changes, or where it ends.
-        let radius = if self.name == "parabolic-dimple" { &b } else { &l };
         terms(self.name, |key| match key {
             "slope" => t.clone(),
             "flat" | "cap" | "offset" | "wavelength" => b.clone(),
-            "height" | "depth" => t.clone() * radius,
+            "height" | "depth" => t.clone() * &l,
             "amplitude" => b.square() / l.clone().times(32),
-            _ => radius.clone(),
+            _ => l.clone(),
         })
     }
 
@@ -129,7 +129,7 @@ impl<R: Real> Drawn<R> {
 /// than 1 + c. x stays a fifth away from the edge.
 pub(super) fn parts<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let profile = Drawn::<R>::draw(trial, ctx);
-    let x = profile.radius(trial, round % 6 < 4, ctx);
+    let x = profile.radius(trial, round % 6 < 4, ctx)?;
     trial.describe(format_args!("{profile}, x = {:e} ({})", x.approx(), R::NAME));
     let closed = profile.closed::<R>()?;
     let with_slopes = profile.closed::<Dual<R>>()?;

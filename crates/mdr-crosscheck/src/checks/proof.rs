@@ -67,7 +67,7 @@ impl Library {
         let turn = trial.index / NAMES.len();
         let drawn = Drawn::<f64>::draw(trial, ());
         let beyond = trial.uniform(0.0, 1.0) < 0.6;
-        let radius = drawn.radius(trial, beyond, ());
+        let radius = drawn.radius(trial, beyond, ())?;
         let rough = drawn.closed::<f64>()?;
         let slope = match rough.slope(&radius)?.abs() {
             0.0 => drawn.steepness(),

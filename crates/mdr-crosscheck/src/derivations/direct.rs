@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use mdr_core::calculus::quadrature::tanh_sinh;
 use mdr_core::contact::{Error as Failure, Quantity};
 use mdr_core::number::{Dual, Interval, Special};
-use mdr_symbolic::formula::{Arithmetic, Function, Variable, evaluate};
+use mdr_symbolic::formula::{Evaluator, Function, Variable, evaluate};
 use mdr_symbolic::{Domain, Error, Formula, Result, Symbol};
 use rug::Rational;
 
@@ -142,7 +142,7 @@ where
     }
 }
 
-impl<R: Level> Arithmetic for Direct<'_, R> {
+impl<R: Level> Evaluator for Direct<'_, R> {
     type Value = R;
 
     fn rational(&self, value: &Rational) -> R {

@@ -6,7 +6,7 @@
 //! others lies between 0 and ε^q.
 
 use mdr_core::number::{Interval, Real, Special};
-use mdr_symbolic::formula::{Arithmetic, Function, evaluate};
+use mdr_symbolic::formula::{Evaluator, Function, evaluate};
 use mdr_symbolic::{Domain, Formula, Symbol};
 use rug::Rational;
 
@@ -132,7 +132,7 @@ impl Beside<'_> {
     }
 }
 
-impl Arithmetic for Beside<'_> {
+impl Evaluator for Beside<'_> {
     type Value = Leading;
 
     fn rational(&self, value: &Rational) -> Leading {

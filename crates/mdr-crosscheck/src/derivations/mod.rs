@@ -44,6 +44,7 @@ pub const AGREEMENT: i64 = 12;
 
 /// The verdicts on an entry.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Judgement {
     /// The entry.
     pub entry: &'static Entry,
@@ -53,6 +54,7 @@ pub struct Judgement {
 
 /// The verdicts on a step.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct StepJudgement {
     /// The step.
     pub step: &'static Step,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use mdr_core::number::{Interval, Precision, Real, Special};
-use mdr_symbolic::formula::{Arithmetic, Function};
+use mdr_symbolic::formula::{Evaluator, Function};
 use mdr_symbolic::{Domain, Formula, Symbol};
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{RngExt, SeedableRng};
@@ -133,7 +133,7 @@ impl Iterator for Points {
     }
 }
 
-impl Arithmetic for Point {
+impl Evaluator for Point {
     type Value = Interval;
 
     fn rational(&self, value: &Rational) -> Interval {

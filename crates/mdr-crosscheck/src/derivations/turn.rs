@@ -7,7 +7,7 @@
 //! value, makes the formula one without meaning.
 
 use mdr_core::number::{Dual, Interval, Real};
-use mdr_symbolic::formula::{Arithmetic, evaluate};
+use mdr_symbolic::formula::{Evaluator, evaluate};
 use mdr_symbolic::{Domain, Formula};
 
 use super::direct::{Direct, Level};

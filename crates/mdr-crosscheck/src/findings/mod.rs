@@ -13,12 +13,13 @@ mod rows;
 
 use mdr_core::contact::Result;
 
-pub use self::rows::{LadderRow, Line, PointRow};
+pub use self::rows::{FindingLine, LadderRow, PointRow};
 use crate::Level;
 use crate::ladders::{Ladder, ladders};
 use crate::work_precision::{Clock, Comparison, TASKS, Task};
 
 /// All comparisons and all ladders.
+#[non_exhaustive]
 pub struct Findings {
     /// The comparisons of each task.
     pub tasks: Vec<(Task, Vec<Comparison>)>,

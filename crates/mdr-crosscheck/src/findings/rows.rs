@@ -42,7 +42,7 @@ impl Comparison {
 
 /// A line of JSON, schema mdr.report/3: a question or a ladder.
 #[derive(Serialize)]
-pub struct Line<'a> {
+pub struct FindingLine<'a> {
     schema: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     comparison: Option<&'a Comparison>,
@@ -52,8 +52,8 @@ pub struct Line<'a> {
 
 impl Findings {
     /// A line for each question, then for each ladder.
-    pub fn lines(&self) -> impl Iterator<Item = Line<'_>> {
-        let line = |comparison, ladder| Line { schema: "mdr.report/3", comparison, ladder };
+    pub fn lines(&self) -> impl Iterator<Item = FindingLine<'_>> {
+        let line = |comparison, ladder| FindingLine { schema: "mdr.report/3", comparison, ladder };
         let comparisons = self.comparisons().map(move |comparison| line(Some(comparison), None));
         comparisons.chain(self.ladders.iter().map(move |ladder| line(None, Some(ladder.row()))))
     }

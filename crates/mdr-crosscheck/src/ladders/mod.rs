@@ -93,6 +93,7 @@ pub struct Ladder {
 
 /// One question.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Rung {
     /// Where on the ladder.
     pub parameter: f64,

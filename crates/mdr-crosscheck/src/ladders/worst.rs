@@ -12,6 +12,7 @@ const KEPT: &str = include_str!("../../data/worst.jsonl");
 
 /// An input that did worst.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Worst {
     /// The function, as in [`Ladder::function`].
     pub function: String,
@@ -26,6 +27,7 @@ pub struct Worst {
 /// A line that cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, ThisError)]
 #[error("worst inputs, line {line}: {what}")]
+#[non_exhaustive]
 pub struct WorstError {
     /// From 1.
     pub line: usize,

@@ -21,6 +21,7 @@ use self::routine::Routine;
 
 /// A number that a function of mdr-analytic gives.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Subject {
     /// Which.
     pub id: SubjectId,

@@ -8,6 +8,7 @@ use super::{Subject, SubjectId, subjects};
 
 /// One mistake in one closed form.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Fault {
     /// Where.
     pub id: SubjectId,

@@ -35,6 +35,7 @@ use crate::Level;
 
 /// A family of questions.
 #[derive(Clone, Copy)]
+#[non_exhaustive]
 pub struct Task {
     /// Its name, with which the names of its comparisons begin.
     pub name: &'static str,

@@ -1,4 +1,4 @@
-//! Certified digits of an estimate: a proof that the stationary point is unique in a box, and its digits.
+//! CertifiedFit digits of an estimate: a proof that the stationary point is unique in a box, and its digits.
 //!
 //! With the labels of the fit, and each row compared with a point of the same kind, G = Jᵀr is a smooth function of the fitted values.
 //! Krawczyk's operator K = m − C·G(m) + (1 − C·H(B))·(B − m), with H the derivatives of G over the box B by dual numbers over intervals
@@ -15,7 +15,7 @@ mod rows;
 
 use self::linear::{inverse, midpoints, points, solve};
 use self::rows::{Residual, Row};
-use super::answer::{Certified, CertifiedEstimate};
+use super::answer::{CertifiedEstimate, CertifiedFit};
 use super::contact::{Contact, Numbers, Tip};
 use super::minimise::Minimum;
 use super::objective::Objective;
@@ -88,7 +88,7 @@ pub(super) fn certified(
     minimum: &Minimum,
     digits: u32,
     dof: usize,
-) -> std::result::Result<Certified, String> {
+) -> std::result::Result<CertifiedFit, String> {
     let problem = objective.problem;
     possible(objective, minimum)?;
     let mut precision = 4 * digits + 96;
@@ -195,7 +195,7 @@ impl<'a> Proof<'a> {
     }
 
     /// Refines the estimate, proves a box around it and reads its digits; `None` where they are not decided.
-    fn run(&self, minimum: &Minimum, digits: u32, dof: usize) -> Result<Option<Certified>> {
+    fn run(&self, minimum: &Minimum, digits: u32, dof: usize) -> Result<Option<CertifiedFit>> {
         let mut middle: Vec<Interval> =
             minimum.fitted.iter().map(|value| Interval::from_f64(self.precision, *value)).collect();
         for _ in 0..12 {
@@ -228,7 +228,7 @@ impl<'a> Proof<'a> {
     }
 
     /// The digits of the numbers, of their standard errors scaled by the residuals, and of the sum of squares.
-    fn read(&self, fitted: &[Interval], reach: &[f64], digits: u32, dof: usize) -> Result<Option<Certified>> {
+    fn read(&self, fitted: &[Interval], reach: &[f64], digits: u32, dof: usize) -> Result<Option<CertifiedFit>> {
         let normal = self.normal(fitted)?;
         let count = fitted.len();
         let Some(covariance) = inverse(normal.information) else { return Ok(None) };
@@ -246,7 +246,7 @@ impl<'a> Proof<'a> {
             parameters.push(CertifiedEstimate { name, value, scaled_stderr, unique_within: reach * factor.approx() });
         }
         let local_minimum = linear::is_positive_definite(normal.hessian);
-        Ok(text(normal.rss).map(|rss| Certified { digits, parameters, local_minimum, rss }))
+        Ok(text(normal.rss).map(|rss| CertifiedFit { digits, parameters, local_minimum, rss }))
     }
 }
 

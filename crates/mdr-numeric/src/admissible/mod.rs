@@ -53,6 +53,8 @@ pub struct Admissibility {
     terrain: Option<Terrain>,
     /// For a formula, whose narrow dips the search may miss.
     touch: Option<FirstTouch>,
+    /// Why nothing is known.
+    unknown: Option<&'static str>,
     /// Whether the extrema of g are proved to be all.
     isolated: bool,
 }
@@ -107,6 +109,9 @@ pub enum Basis {
     },
 }
 
+/// Why nothing is known of states on another medium than a half-space, unless g rises.
+pub const NOT_SEARCHED: &str = "on this medium the gap outside the contact is not searched";
+
 impl Admissibility {
     /// For a transformed profile whose extrema are searched between two radii, and up to the last kink or the end of
     /// the profile; [`search_range`] gives radii for a contact.
@@ -114,23 +119,33 @@ impl Admissibility {
         if transform.rises() {
             return Self::of_rising();
         }
-        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None, isolated: false }
+        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None, isolated: false, unknown: None }
     }
 
     /// For a transformed formula of which nothing else is proved. The extrema are searched as by [`Admissibility::new`], but
     /// interpenetrations that the search does not find may exist.
     pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
-        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: Some(touch), isolated: false }
+        Admissibility {
+            terrain: Some(Terrain::new(transform, radii)),
+            touch: Some(touch),
+            isolated: false,
+            unknown: None,
+        }
     }
 
     /// For a profile with nondecreasing g: every state is admissible.
     pub fn of_rising() -> Self {
-        Admissibility { terrain: None, touch: None, isolated: false }
+        Admissibility { terrain: None, touch: None, isolated: false, unknown: None }
+    }
+
+    /// For a profile on a medium on which the gap outside a contact is not searched: nothing is known of any state.
+    pub fn unknown(why: &'static str) -> Self {
+        Admissibility { unknown: Some(why), ..Self::of_rising() }
     }
 
     /// A shared [`Admissibility`] for profiles with nondecreasing g: every state is admissible.
     pub fn rising() -> &'static Admissibility {
-        static RISING: Admissibility = Admissibility { terrain: None, touch: None, isolated: false };
+        static RISING: Admissibility = Admissibility { terrain: None, touch: None, isolated: false, unknown: None };
         &RISING
     }
 
@@ -140,12 +155,15 @@ impl Admissibility {
     #[must_use]
     pub fn with_extrema(&self, transform: Arc<dyn Transform<f64>>, extrema: &[f64], range: [f64; 2]) -> Self {
         let terrain = Terrain::of_extrema(transform, extrema, range);
-        Admissibility { terrain: Some(terrain), touch: self.touch.clone(), isolated: true }
+        Admissibility { terrain: Some(terrain), touch: self.touch.clone(), isolated: true, unknown: None }
     }
 
     /// For a transformed profile in any arithmetic, evaluated there and rounded.
     pub(crate) fn rounded<R: Real>(curve: &Contact<R>, folds: &[Fold<R>]) -> Self {
         let (transform, length) = (Arc::clone(curve.shared_transform()), curve.material_length());
+        if !curve.medium().is_half_space() && !transform.rises() {
+            return Self::unknown(NOT_SEARCHED);
+        }
         let radii: Vec<f64> = folds.iter().map(|fold| fold.contact_radius.approx()).collect();
         Self::new(Arc::new(Rounded { transform, ctx: length.ctx() }), search_range(length.approx(), &radii))
     }
@@ -153,6 +171,7 @@ impl Admissibility {
     /// The basis of the verdicts.
     pub fn basis(&self) -> Basis {
         match &self.terrain {
+            None if self.unknown.is_some() => Basis::Doubtful,
             None => Basis::Bound,
             Some(_) if self.isolated => Basis::Isolated,
             Some(terrain) if self.touch.is_some() && terrain.width.is_finite() => {
@@ -165,6 +184,9 @@ impl Admissibility {
 
     /// Whether a contact of radius a at the indentation d is admissible, in equilibrium or not.
     pub fn of(&self, a: f64, d: f64) -> Verdict {
+        if let Some(why) = self.unknown {
+            return Verdict::Undecided(why);
+        }
         let Some(terrain) = &self.terrain else { return Verdict::Admissible };
         if !(a > 0.0 && a.is_finite() && d.is_finite()) {
             return Verdict::Undecided("its contact radius or its indentation is no double");

@@ -18,6 +18,7 @@ pub struct Ring<R> {
 
 /// The first contact of separated surfaces, if it is not at the tip.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Touch<R> {
     /// The radius of the ring, in m.
     pub radius: R,
@@ -51,6 +52,7 @@ const AT_KINK: f64 = 1e-6;
 /// Errors of the transform and of the quadrature; [`Error::Undecided`] if enclosures of a formula do not decide where the
 /// surfaces first touch.
 pub fn first_touch<R: Real>(curve: &Contact<R>, admissibility: &Admissibility) -> Result<Option<Touch<R>>> {
+    require_known(admissibility, curve.modulus())?;
     if let Some(touch) = &admissibility.touch {
         return of_formula(touch, curve.modulus());
     }
@@ -61,6 +63,15 @@ pub fn first_touch<R: Real>(curve: &Contact<R>, admissibility: &Admissibility) -
     let radius = ring.lowest()?;
     let indentation = ring.gap(&zero, &zero, &radius)?;
     Ok((indentation < zero).then_some(Touch { radius, indentation }))
+}
+
+/// Refuses to say where surfaces first touch where that is not searched.
+fn require_known<R: Real>(admissibility: &Admissibility, like: &R) -> Result<()> {
+    if admissibility.unknown.is_some() {
+        let what = "where the surfaces first touch: it is not searched on this medium; begin in contact";
+        return Err(Error::undecided(Quantity::Indentation, like, what));
+    }
+    Ok(())
 }
 
 /// The first contact of a formula, in the arithmetic of a number.
@@ -84,6 +95,7 @@ fn of_formula<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>>
 /// # Errors
 /// Errors of the transform; [`Error::Undecided`] if enclosures of a formula do not decide where the surfaces first touch.
 pub(crate) fn first_touch_roughly(admissibility: &Admissibility) -> Result<Option<[f64; 2]>> {
+    require_known(admissibility, &0.0)?;
     if let Some(touch) = &admissibility.touch {
         return Ok(of_formula(touch, &0.0)?.map(|touch| [touch.radius, touch.indentation]));
     }

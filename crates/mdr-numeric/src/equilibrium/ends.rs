@@ -8,15 +8,15 @@ use mdr_core::number::Real;
 use super::{SearchedBranches, sign};
 
 impl<R: Real> SearchedBranches<R> {
-    /// Whether the direction of change at the tip, where d, F and D are zero, differs from that at the end of the first
+    /// Whether the direction of change at the tip, where d, F and D have their limits, differs from that at the end of the first
     /// branch.
     pub(super) fn is_open_inwards(&self, value: &R) -> Result<bool> {
-        let zero = value.lit(0);
+        let tip = self.curve.tip_value(value);
         let at_end = match self.folds.first() {
             Some(fold) => self.beside(fold, value)?,
             None => sign(&self.curve.direction_at(&self.start(), value)?),
         };
-        Ok(if at_end == Ordering::Less { *value < zero } else { *value > zero })
+        Ok(if at_end == Ordering::Less { *value < tip } else { *value > tip })
     }
 
     /// Whether the controlled quantity tends to `value` from the beginning of the last branch to the end of the

@@ -2,7 +2,7 @@
 //!
 //! The work of the control is ∫F dd along the curve of equilibria, on a machine ∫F dD with its spring, and under
 //! controlled force F(d₂ − d₁) in a jump. The energy dissipated in a jump from a₁ to a₂ at a fixed controlled value is
-//! E* ∫_{a₂}^{a₁} [(d(a) − g(a))² − Δl(a)²] da, with d(a) the indentation at radius a and that value. The stored
+//! ½∫_{a₂}^{a₁} S'(a) [(d(a) − g(a))² − Δl(a)²] da, with d(a) the indentation at radius a and that value. The stored
 //! energy, Π(a, d) and F²/2k in the spring, is an integral over the whole contact. The three are computed from
 //! different integrands, so that
 //!
@@ -20,6 +20,7 @@ use crate::branch::EquilibriumBranches;
 use crate::contact::{Contact, log10_of_product, negligible};
 use crate::energy::Energy;
 use crate::equilibrium::SearchedBranches;
+use crate::medium::Medium;
 
 /// The energy dissipated in an event.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +70,7 @@ pub struct Balance<R> {
 }
 
 /// Roundings of g, g', the mean of g and quantities derived from them, in unit roundoffs.
-const ROUNDINGS: i64 = 64;
+pub(super) const ROUNDINGS: i64 = 64;
 
 impl<R: Real> PathEnergy<R> {
     /// The energies of a path that was followed on the given branches.
@@ -204,6 +205,7 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
         let zero = event.value.lit(0);
         let dead_load = *self.curve.control() == Control::Force;
         match event.kind {
+            EventKind::CompleteContact if self.complete()?.is_some() => self.completed(&event.before, &event.value),
             EventKind::CompleteContact => Ok((zero, Dissipation::Unbounded)),
             EventKind::Detached if dead_load && event.fold.is_some() => Ok((zero, Dissipation::Unbounded)),
             EventKind::Jump | EventKind::JumpIn | EventKind::Detached => {
@@ -232,18 +234,30 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
         if from == to {
             return Ok(self.none());
         }
+        if from == from.lit(0) || to == to.lit(0) {
+            match self.curve.medium() {
+                Medium::Periodic { .. } => return self.difference(before, after, value),
+                Medium::Plane { reference: Some(_), .. } => {
+                    let requirement =
+                        "left out: against a reference it is not available for a line contact that opens or closes";
+                    return Err(Error::domain(Quantity::Parameter("the energy lost"), value, requirement));
+                }
+                _ => {}
+            }
+        }
         // In units of Δl at the larger end: the product of two small lengths may underflow where the energy does not.
         let unit = self.curve.unit_elongation(if from > to { &from } else { &to });
         let needed = negligible(&unit);
         let dissipated = self.breaks.integrate(&from, &to, |a| {
             let change = self.curve.direction_within(a, value, &needed)?;
-            Ok((self.curve.elongation(a).times(2) + &change) / &unit * (change / &unit))
+            let square = (self.curve.elongation(a).times(2) + &change) / &unit * (change / &unit);
+            Ok(self.curve.medium().weighted(a, square))
         })?;
         let size = self.breaks.roughly(&from, &to, |a| {
             let change = self.curve.direction_within(a, value, &needed)?.abs() + self.curve.elongation(a);
             let held = self.curve.held_against(a, value, || self.curve.transform().mean_within(a, &needed))?;
             let lengths = self.terms_near_kinks(a, &needed)? + held.abs();
-            Ok(change / &unit * (lengths / &unit))
+            Ok(self.curve.medium().weighted(a, change / &unit * (lengths / &unit)))
         })?;
         let energy = |length: &R| self.energy(length, &unit);
         let error = energy(&dissipated.error) + energy(&size.abs()) * size.unit_roundoff().times(2 * ROUNDINGS);
@@ -306,7 +320,7 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
         let mut total = event.value.lit(0);
         for state in [&event.before, &event.after] {
             if let Some(rest) = state.contact().filter(|rest| rest.contact_radius > total.lit(0)) {
-                let stiffness = rest.contact_radius.clone().times(2);
+                let stiffness = self.curve.medium().reduced_stiffness(&rest.contact_radius);
                 let lengths = self.terms(&rest.contact_radius)? + rest.indentation.abs();
                 total += &self.rounding(stiffness * lengths.square());
             }
@@ -331,6 +345,12 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
             ContactState::Contact(_) | ContactState::Detached => return Ok(Some(self.none())),
             ContactState::Complete => return Ok(None),
         };
+        if let Medium::Plane { .. } = self.curve.medium() {
+            return Ok(None);
+        }
+        if let Medium::Periodic { .. } = self.curve.medium() {
+            return self.total(state, None).map(Some);
+        }
         let a = &rest.contact_radius;
         let energy = Energy::new(self.curve.clone())?;
         // Piece by piece between the folds, because thousands of waves are too many for one rule.
@@ -340,10 +360,10 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
             error = integral.error;
             Ok(integral.value / a)
         })?;
-        // In units of Δl(a)² = 2πaw/E*.
-        error *= &(self.curve.elongation(a).square() * self.curve.modulus());
+        // In units of Δl(a)² times half of S'.
+        error *= &self.curve.medium().weighted(a, self.curve.elongation(a).square() * self.curve.modulus());
         let lengths = self.terms(a)? + rest.indentation.abs();
-        error += &self.rounding(lengths.square() * a);
+        error += &self.rounding(self.curve.medium().weighted(a, lengths.square() * a));
         if let Control::Machine { stiffness } = self.curve.control() {
             let spring = spring_energy(&rest.force, stiffness);
             error += &(spring.unit_roundoff().times(ROUNDINGS) * &spring);

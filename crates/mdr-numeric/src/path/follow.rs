@@ -97,10 +97,11 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
         let fold = match self.place {
             Position::Detached | Position::Ended => return Ok(false),
             Position::Branch(0) => {
-                if certain(target, &target.lit(0), self.branches)? == Ordering::Greater {
+                let tip = self.branches.tip_value(target);
+                if certain(target, &tip, self.branches)? == Ordering::Greater {
                     return Ok(false);
                 }
-                self.vanish(target);
+                self.vanish(&tip);
                 return Ok(false);
             }
             Position::Branch(branch) => branch - 1,
@@ -287,22 +288,29 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
                 self.leave(EventKind::NotAdmissible, &value);
                 Ok(false)
             }
+            // The springs reach further than the surfaces have to come.
+            FirstContact::Smooth if self.branches.tip_value(&zero) < zero => {
+                if side != Ordering::Less {
+                    self.jump_in(&zero, 0)?;
+                }
+                Ok(side != Ordering::Less)
+            }
             FirstContact::Smooth if side == Ordering::Greater => {
                 self.place = Position::Branch(0);
                 self.enter(EventKind::Touch, &zero, ContactState::Detached, ContactState::Contact(point(&zero)), None);
                 Ok(true)
             }
             FirstContact::Abrupt if side != Ordering::Less => {
-                self.jump_in(&zero)?;
+                self.jump_in(&zero, 1)?;
                 Ok(true)
             }
             FirstContact::Smooth | FirstContact::Abrupt | FirstContact::Dimple => Ok(false),
         }
     }
 
-    /// From a point contact to the next equilibrium at zero.
-    fn jump_in(&mut self, zero: &R) -> Result<()> {
-        match next_stable(self.branches, zero, Some(1), Towards::Larger)? {
+    /// From a point contact to the next equilibrium at zero, from a branch on.
+    fn jump_in(&mut self, zero: &R, branch: usize) -> Result<()> {
+        match next_stable(self.branches, zero, Some(branch), Towards::Larger)? {
             Some((_, rest)) if !self.may_rest(zero, zero, &rest)? => {}
             Some((branch, rest)) => {
                 self.place = Position::Branch(branch);
@@ -313,11 +321,13 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
         Ok(())
     }
 
-    /// The contact has shrunk to a point, at zero, and the controlled quantity decreases to `target`.
-    fn vanish(&mut self, target: &R) {
-        let zero = target.lit(0);
+    /// The contact has shrunk to a point, at the value at the tip, and the controlled quantity decreases.
+    fn vanish(&mut self, tip: &R) {
+        let zero = tip.lit(0);
+        let indentation = if *tip < zero { tip.clone() } else { zero.clone() };
+        let last = Equilibrium { indentation, ..point(&zero) };
         self.place = Position::Detached;
-        self.enter(EventKind::Detached, &zero, ContactState::Contact(point(&zero)), ContactState::Detached, None);
+        self.enter(EventKind::Detached, tip, ContactState::Contact(last), ContactState::Detached, None);
     }
 
     fn is_maximum(&self, fold: usize) -> bool {

@@ -256,6 +256,10 @@ impl EquilibriumBranches<Interval> for ProvedBranches {
         self.curve.plain.control()
     }
 
+    fn tip_value(&self, like: &Interval) -> Interval {
+        self.curve.plain.tip_value(like)
+    }
+
     fn is_pushed_back(&self, radius: &Interval, value: &Interval) -> Result<bool> {
         self.curve.plain.is_pushed_back(radius, value)
     }

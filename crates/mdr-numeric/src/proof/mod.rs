@@ -35,6 +35,7 @@ pub struct EnclosedCurve {
 
 /// The folds found on a range of radii, and the parts left undecided.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct ProvedFolds {
     /// The range. Nothing is claimed outside it.
     pub range: (Float, Float),

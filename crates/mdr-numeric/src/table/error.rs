@@ -9,7 +9,7 @@ use super::MINIMUM_ROWS;
 
 named! {
     /// The two columns of a table.
-    pub enum Column {
+    pub enum TableColumn {
         /// `r`, the distance from the axis.
         Radius = "r",
         /// `f`, the height above the tip.
@@ -42,7 +42,7 @@ pub enum TableError {
         /// The line of the header.
         line: usize,
         /// The missing column.
-        column: Column,
+        column: TableColumn,
         /// The columns that are present.
         found: String,
     },
@@ -68,7 +68,7 @@ pub enum TableError {
         /// The line of the units.
         line: usize,
         /// The column.
-        column: Column,
+        column: TableColumn,
         /// The unit as written.
         unit: String,
     },
@@ -78,7 +78,7 @@ pub enum TableError {
         /// The line.
         line: usize,
         /// The column.
-        column: Column,
+        column: TableColumn,
         /// The field as written.
         text: String,
         /// The reason.

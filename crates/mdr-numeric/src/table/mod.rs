@@ -35,7 +35,7 @@ mod smooth;
 mod tip;
 mod transform;
 
-pub use error::{Column, TableError};
+pub use error::{TableColumn, TableError};
 pub use read::{Line, separated};
 pub use rough::Scatter;
 
@@ -82,7 +82,7 @@ impl Table {
     }
 
     /// A number of metres in the unit of a column, in the notation of the table.
-    fn written(&self, column: Column, metres: &str) -> String {
+    fn written(&self, column: TableColumn, metres: &str) -> String {
         let unit = self.units().and_then(|units| metre_power(&units[column as usize]));
         unit.map_or_else(|| metres.to_owned(), |power| scaled(metres, -power))
     }

@@ -8,7 +8,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use mdr_core::number::{Literal, LiteralError, order};
 use mdr_core::units::{SiUnit, bare, scaled};
 
-use super::{Column, MAXIMUM_ROWS, MINIMUM_ROWS, Row, Table, TableError};
+use super::{MAXIMUM_ROWS, MINIMUM_ROWS, Row, Table, TableColumn, TableError};
 
 /// A row of separated columns and the number of its line.
 #[derive(Clone, Debug)]
@@ -53,7 +53,7 @@ struct Layout {
     units: Option<[String; 2]>,
 }
 
-const COLUMNS: [Column; 2] = [Column::Radius, Column::Height];
+const COLUMNS: [TableColumn; 2] = [TableColumn::Radius, TableColumn::Height];
 
 impl Layout {
     /// The two columns of a table without header.
@@ -91,7 +91,7 @@ impl Layout {
     }
 
     /// The number in a column: as given, and in metres.
-    fn number<'a>(&self, line: &'a Line, column: Column) -> Result<(&'a str, Literal), TableError> {
+    fn number<'a>(&self, line: &'a Line, column: TableColumn) -> Result<(&'a str, Literal), TableError> {
         let (place, power) = (self.place[column as usize], self.power[column as usize]);
         let text = &line.fields[place];
         let metres = text.parse::<Literal>().and_then(|_| scaled(text, power).parse());
@@ -102,8 +102,8 @@ impl Layout {
     /// A row, with its radius as given.
     fn row<'a>(&self, line: &'a Line) -> Result<(&'a str, Row), TableError> {
         line.width(self.width)?;
-        let (given, radius) = self.number(line, Column::Radius)?;
-        let (_, height) = self.number(line, Column::Height)?;
+        let (given, radius) = self.number(line, TableColumn::Radius)?;
+        let (_, height) = self.number(line, TableColumn::Height)?;
         if radius.is_negative() {
             return Err(TableError::NegativeRadius { line: line.number, radius: given.to_owned() });
         }

@@ -1,6 +1,6 @@
 //! Checks that heights are measured from the tip, outward.
 
-use super::{Column, Table, TableError};
+use super::{Table, TableColumn, TableError};
 
 /// The relative agreement of extrapolations through two, three and four rows that locates the tip.
 const AGREEMENT: f64 = 0.02;
@@ -14,7 +14,7 @@ impl Table {
     /// [`TableError::TipNotZero`], [`TableError::TipElsewhere`].
     pub fn check_tip(&self) -> Result<(), TableError> {
         let (first, points) = (&self.rows[0], self.points());
-        let (line, height) = (first.line, self.written(Column::Height, &first.height.to_string()));
+        let (line, height) = (first.line, self.written(TableColumn::Height, &first.height.to_string()));
         if first.radius.is_zero() {
             return if first.height.is_zero() { Ok(()) } else { Err(TableError::TipNotZero { line, height }) };
         }
@@ -25,8 +25,8 @@ impl Table {
         let agree = |other: f64| (other - two).abs() <= AGREEMENT * two.abs();
         let elsewhere = two.abs() > 0.1 * f.abs() && agree(three) && agree(four);
         if f.abs() / r > 2.0 * steepest || elsewhere {
-            let radius = self.written(Column::Radius, &first.radius.to_string());
-            let tip = self.written(Column::Height, &format!("{two:.4e}"));
+            let radius = self.written(TableColumn::Radius, &first.radius.to_string());
+            let tip = self.written(TableColumn::Height, &format!("{two:.4e}"));
             return Err(TableError::TipElsewhere { line, height, radius, tip });
         }
         Ok(())

@@ -76,7 +76,7 @@ fn logarithmic<R: Special>(r: R) -> Dual<R> {
 }
 
 /// f, Df and D²f at r: `value.value`, `slope.value`, `slope.slope`.
-fn second_order<R: Special>(profile: &impl Profile<R>, r: &R) -> Dual<Dual<R>> {
+pub(super) fn second_order<R: Special>(profile: &impl Profile<R>, r: &R) -> Dual<Dual<R>> {
     let inner = logarithmic(r.clone());
     profile.height(&Dual { value: inner.clone(), slope: inner })
 }

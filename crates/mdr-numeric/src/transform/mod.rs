@@ -16,9 +16,19 @@ mod enclosed;
 mod gauss;
 mod integral;
 mod integrand;
+mod line;
+mod periodic;
+mod powers;
 mod quadrature;
 pub(crate) mod strides;
+mod wave;
+mod weighted;
 
 #[cfg(feature = "mp")]
 pub use enclosed::{Enclosed, EnclosedWithSlopes};
+pub use line::LineLoad;
+pub use periodic::Periodic;
+pub use powers::{Powers, graded_kappa, line_factor};
 pub use quadrature::{Quadrature, Rule};
+pub use wave::Wave;
+pub use weighted::Weighted;

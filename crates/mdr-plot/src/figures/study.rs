@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use mdr::Result;
 use mdr::critical::PowerLaw;
-use mdr::diagram::{Equilibrium, Sample};
+use mdr::diagram::{CurveSample, Equilibrium};
 use mdr::prelude::*;
 
 use crate::balance::{Balance, change, shifted};
@@ -73,7 +73,7 @@ impl Study {
     /// The curve g(a) − d.
     pub(super) fn transformed(&self, d: f64, name: &str, stroke: Stroke) -> Layer {
         let [radius, length] = self.sides.units;
-        let at = |sample: &Sample| [sample.contact_radius / radius, (sample.transformed - d) / length];
+        let at = |sample: &CurveSample| [sample.contact_radius / radius, (sample.transformed - d) / length];
         let mut points: Vec<_> = [[0.0, -d / length]].into_iter().chain(self.sides.diagram.samples().map(at)).collect();
         points.dedup();
         shifted(name, points, stroke)

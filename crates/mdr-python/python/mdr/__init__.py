@@ -11,6 +11,7 @@ State(contact_radius=5.611652890227367e-07, indentation=-1.0496882720132389e-07,
 
 from typing import Final
 
+from . import _profiles
 from ._contact import Contact, Control, Machine, Start
 from ._core import CERTIFIED
 from ._core import VERSION as __version__
@@ -22,11 +23,7 @@ from ._fit import CertifiedEstimate, Estimate, Fit, Interval, fit
 from ._functions import context, critical_states, effective_modulus, jkr, kappa
 from ._numbers import Floats, Number
 from ._oracle import Answer, AnswerLike, Mark, Record, Report, judge, record, records
-from ._profiles import (
-    Cone, ConeParabolicCap, ConeSphericalCap, DisplacedParaboloid, Ellipsoid, EllipticalDimple, Expression, FlatPunch,
-    Hyperboloid, Paraboloid, ParabolicDimple, PowerLaw, Profile, RoundedPunch, Sphere, Sum, Table, TruncatedCone,
-    TruncatedParaboloid, WavyParaboloid,
-)
+from ._profiles import *
 from ._scene import File, Picture, Solution, solve
 from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Status, Trace
 
@@ -35,9 +32,6 @@ RECORDS_RELEASE: Final = 3
 __all__ = [
     "CERTIFIED", "RECORDS_RELEASE", "__version__",
     "Contact", "Control", "Machine", "Start", "context", "critical_states", "effective_modulus", "jkr", "kappa",
-    "Cone", "ConeParabolicCap", "ConeSphericalCap", "DisplacedParaboloid", "Ellipsoid", "EllipticalDimple", "Expression",
-    "FlatPunch", "Hyperboloid", "Paraboloid", "ParabolicDimple", "PowerLaw", "Profile", "RoundedPunch", "Sphere", "Sum",
-    "Table", "TruncatedCone", "TruncatedParaboloid", "WavyParaboloid",
     "Equilibria", "Event", "Fold", "LoadingPath", "State", "States", "Status", "Trace",
     "File", "Picture", "Solution", "solve",
     "CertifiedEstimate", "Estimate", "Fit", "Interval", "fit",
@@ -46,3 +40,4 @@ __all__ = [
     "SceneError", "UndecidedError",
     "Floats", "Number",
 ]
+__all__ += _profiles.__all__

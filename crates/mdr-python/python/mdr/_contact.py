@@ -66,7 +66,7 @@ def core_of(profile: Profile, e_star: Number, work_of_adhesion: Number) -> _core
 class Contact:
     """A profile in adhesive contact with a half-space; immutable, hashable, to be pickled and shared between threads.
 
-    What is held is said by the keyword that carries its values: ``indentation=``, ``force=``, or ``position=`` together with
+    The keyword that carries the values names the controlled quantity: ``indentation=``, ``force=``, or ``position=`` together with
     ``stiffness=``. Where there are no values it is ``"indentation"``, ``"force"`` or a :class:`Machine`.
 
     Parameters
@@ -141,7 +141,7 @@ class Contact:
         Parameters
         ----------
         control : {"indentation", "force"} or Machine
-            What is held. There is no default: pull-off at fixed grips and under a dead load differ.
+            The controlled quantity. There is no default: pull-off at fixed grips and under a dead load differ.
         digits : int, optional
             So many certified digits as ``Decimal``, from 1 to 100 000; doubles without.
 
@@ -169,7 +169,7 @@ class Contact:
         return State(a, d, force)
 
     def pull_off(self, control: Control) -> State[float]:
-        """The state from which the contact comes off, drawn back slowly from the value 0 of what is held.
+        """The state from which the contact comes off, drawn back slowly from the value 0 of the controlled quantity.
 
         Of a rough or wavy profile the strongest pull on the way may be larger: that is ``path(…).force.min()``.
         """
@@ -188,9 +188,9 @@ class Contact:
         Parameters
         ----------
         control : {"indentation", "force"} or Machine
-            What is held.
+            The controlled quantity.
         digits : int, optional
-            So many certified digits as ``Decimal``, each proved; whether it is proved, too, that there are no other folds is
+            So many certified digits as ``Decimal``, each proved; whether it is also proved that there are no other folds is
             said by ``solve(contact.scene(control, want=["folds"])).complete``.
 
         Examples
@@ -310,7 +310,7 @@ class Contact:
         Parameters
         ----------
         indentation, force, position : array_like
-            The values of what is held, exactly one of the three, of any shape.
+            Values of the controlled quantity, exactly one of the three, of any shape.
         stiffness : Number
             Of the machine, with ``position``.
         branch : {"largest", "smallest"}
@@ -510,7 +510,7 @@ class Contact:
         Parameters
         ----------
         control : {"indentation", "force"} or Machine
-            What is held.
+            The controlled quantity.
         **output
             ``path`` and ``start`` of the control; all else is of the table ``[output]``, such as ``want=["folds"]``.
         """
@@ -530,7 +530,7 @@ def _contact(profile: Profile, e_star: Number, work_of_adhesion: Number) -> Cont
 
 
 def held_by(control: Control) -> tuple[str, Number | None]:
-    """What is held, and the stiffness of a machine."""
+    """The controlled quantity, and the stiffness of a machine."""
     if isinstance(control, Machine):
         return "position", control.stiffness
     if control in ("indentation", "force"):

@@ -188,7 +188,7 @@ def fit(
     Parameters
     ----------
     x, y : array_like
-        What is given and what is measured of each row, in SI units and in the order of the record.
+        X and Y of each row, given and measured, in SI units and in the order of the record.
     profile : Profile
         What was pressed. Its numbers are starts where they are free.
     observation : {"F(d)", "F(D)", "delta(D)", "d(F)", "F(a)", "a(F)"}
@@ -211,9 +211,9 @@ def fit(
     range_of_adhesion : Number or str, optional
         In m, or with its unit, ``"0.3 nm"``: the answer says whether the theory holds.
     profile_likelihood : bool
-        Intervals of 68 % and 95 % without a linearised model, too: each takes some ten further fits.
+        Also intervals of 68 % and 95 % without a linearised model: each takes some ten further fits.
     digits : int, optional
-        Estimates in so many proved digits, too.
+        Also estimates in so many proved digits.
 
     Returns
     -------

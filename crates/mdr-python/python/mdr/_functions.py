@@ -48,7 +48,7 @@ def critical_states(
     n, c, e_star, work_of_adhesion : array_like
         Of shapes that broadcast, as doubles.
     control : {"indentation", "force"} or Machine
-        What is held.
+        The controlled quantity.
 
     Examples
     --------

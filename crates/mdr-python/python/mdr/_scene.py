@@ -1,4 +1,4 @@
-"""Scenes: what is pressed, how it is held, and what is wanted, as on the command line."""
+"""Scenes: a profile, a control and the wanted outputs, as on the command line."""
 
 from __future__ import annotations
 
@@ -139,7 +139,7 @@ def solve(scene: Mapping[str, Any] | File, *, digits: int | None = None, f64: bo
     scene : mapping or str or path
         A mapping with the keys of a scene, whose profile may be a :class:`Profile`; the name of a ``.toml`` or ``.json``
         file; JSON itself, a ``str`` that begins with ``{``; or TOML itself, a ``str`` with a line break. Numbers are exact as
-        typed, floats too.
+        typed, also floats.
     digits : int, optional
         So many significant digits, from 1 to 100 000; what the scene says without, else 20. Takes precedence over the scene.
     f64 : bool

@@ -54,7 +54,7 @@ class State(Generic[N]):
 
 @dataclass(frozen=True, slots=True)
 class Fold(State[N]):
-    """An instability: a minimum or a maximum of what is held, along increasing contact radii."""
+    """An instability: a minimum or a maximum of the controlled quantity, along increasing contact radii."""
 
     kind: Literal["minimum", "maximum"]
 
@@ -81,7 +81,7 @@ class States:
 class Event:
     """Something that happens on the way: ``jump-in``, ``jump``, ``detached`` and the like, as in scenes.
 
-    ``value`` is that of what is held, and ``dissipated`` the energy lost in J, infinite where it has no bound.
+    ``value`` is that of the controlled quantity, and ``dissipated`` the energy lost in J, infinite where it has no bound.
     """
 
     kind: str

@@ -33,6 +33,8 @@ enum Change {
     Control(&'static str),
     /// Answers belong to the other equilibrium of the two at the same value.
     OtherEquilibrium,
+    /// π is this number. Of a paraboloid it stands beside w and nowhere else.
+    Pi(f64),
 }
 
 /// Poisson's ratios that examples and tests are written with.
@@ -58,6 +60,7 @@ impl Convention {
         let factor = match power {
             "1" => factor * flat,
             "-1" => factor / flat,
+            "1-ν" => factor * (1.0 - nu),
             _ => factor,
         };
         let change = match change {
@@ -67,6 +70,7 @@ impl Convention {
             "maugis-units" => Change::MaugisUnits,
             "control" => Change::Control(of),
             "other-equilibrium" => Change::OtherEquilibrium,
+            "pi" => Change::Pi(factor),
             _ => return None,
         };
         let [name, statement] = [name, statement].map(|text| text.replace("{ν}", ratio));
@@ -85,9 +89,26 @@ impl Convention {
             Change::MaugisUnits => scaled(1.0 / maugis_unit(record, &record.quantity)?),
             Change::Control(control) => normal(under_control(record, control)?),
             Change::OtherEquilibrium => normal(other_equilibrium(record)?),
-            Change::Unit(..) | Change::Sign(_) => None,
+            Change::Pi(pi) if is_paraboloid(record) => scaled((pi / PI).powf(exponent(record, "w")?)),
+            Change::Unit(..) | Change::Sign(_) | Change::Pi(_) => None,
         };
         predicted.filter(|value| value.is_normal())
+    }
+
+    /// Whether the answer of a program with this convention is the certified value, because it concerns other answers.
+    pub(crate) fn leaves(&self, record: &Record) -> bool {
+        match self.change {
+            Change::Unit(unit, _) => record.unit != unit && (unit, record.unit.as_str()) != ("m", "m^2"),
+            Change::Sign(quantity) => record.quantity != quantity,
+            Change::Control(control) => record.control.as_deref() == Some(control),
+            Change::Input(input, _) => exponent(record, input) == Some(0.0),
+            Change::MaugisUnits | Change::OtherEquilibrium | Change::Pi(_) => false,
+        }
+    }
+
+    /// Whether it is one of unit or sign: several of them may be mistaken together, each in its answers.
+    pub(crate) fn is_of_notation(&self) -> bool {
+        matches!(self.change, Change::Unit(..) | Change::Sign(_))
     }
 }
 
@@ -221,6 +242,6 @@ mod tests {
     fn every_line_of_the_table_is_a_convention() {
         let table = include_str!("../../data/conventions.tsv").lines().filter(|line| !line.starts_with('#'));
         assert!(table.clone().all(|line| Convention::read(line, "0.5").is_some()));
-        assert_eq!((table.count(), Convention::all().len()), (25, 21 + 4 * POISSON.len()));
+        assert_eq!((table.count(), Convention::all().len()), (35, 30 + 5 * POISSON.len()));
     }
 }

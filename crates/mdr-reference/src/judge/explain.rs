@@ -14,8 +14,12 @@ const LEAST: usize = 3;
 /// The relative difference up to which an answer agrees with the prediction of a convention: that of six printed digits.
 const AGREES: f64 = 1e-5;
 
-/// The relative difference from the certified value below which a prediction is not used.
-const DIFFERS: f64 = 1e-3;
+/// The relative difference from the certified value below which a prediction is not used: ten times that of agreement. A π of
+/// 3.14 changes the contact radius of a sphere by 1.7 · 10⁻⁴.
+const DIFFERS: f64 = 1e-4;
+
+/// What computing in doubles may change in an answer, over the condition of its question.
+const ROUNDING: f64 = 1e-14;
 
 /// The digits of a double that are compared.
 const DIGITS: f64 = 15.0;
@@ -24,8 +28,10 @@ const DIGITS: f64 = 15.0;
 ///
 /// A convention is reported if it explains at least three different answers, to questions with different inputs, each to
 /// five digits or more.
-/// A convention is left out when it would make wrong an answer that is right, about a state of which it explains another
-/// answer, and when another convention explains all that it does, and more.
+/// An answer vetoes a convention if it is about a state of which the convention explains another answer, and is not what a program
+/// with that convention would answer: right where it would be wrong, wrong where it would be right, or wrong in another way. Only
+/// several units and signs may be mistaken together, each in its own answers. A convention is left out, too, when another one
+/// explains all that it does, and more.
 ///
 /// ```
 /// use mdr_reference::{Answer, Filter, judge};
@@ -43,6 +49,7 @@ const DIGITS: f64 = 15.0;
 /// # Ok::<(), mdr_reference::FilterError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Explanation {
     /// Stable names of the conventions; more than one where each explains the same answers.
     pub names: Vec<String>,
@@ -101,6 +108,15 @@ impl Report<'_> {
         let matches = Convention::all().into_iter().map(|convention| Match::of(convention, &wrong, not_right.len()));
         let telling = matches.filter(|matched| matched.explanation.inputs.min(matched.answers) >= LEAST);
         let mut matches: Vec<Match> = telling.filter(|matched| !matched.is_contradicted(&wrong, &right)).collect();
+        // A veto may take away what excuses another answer.
+        loop {
+            let vetoed: Vec<bool> = matches.iter().map(|matched| matched.is_vetoed(&wrong, &matches)).collect();
+            if !vetoed.contains(&true) {
+                break;
+            }
+            let mut kept = vetoed.into_iter().map(|vetoed| !vetoed);
+            matches.retain(|_| kept.next().unwrap_or(true));
+        }
         matches.sort_by_key(|matched| std::cmp::Reverse(matched.explained.len()));
         let mut found: Vec<Match> = Vec::new();
         for matched in matches {
@@ -157,6 +173,29 @@ impl Match {
         let mut of_states = right.iter().filter(|answer| states.contains(&answer.state()));
         of_states.any(|answer| answer.predicted(&self.convention).is_some())
     }
+
+    /// Whether a wrong answer about a state of which it explains another one is wrong in another way.
+    fn is_vetoed(&self, wrong: &[Compared<'_>], matches: &[Match]) -> bool {
+        let states: HashSet<_> = self.explained.iter().map(|&place| wrong[place].state()).collect();
+        let mut others = wrong
+            .iter()
+            .enumerate()
+            .filter(|(place, answer)| states.contains(&answer.state()) && self.explained.binary_search(place).is_err());
+        others.any(|(place, answer)| {
+            let leaves = self.convention.leaves(answer.record);
+            let excused = || {
+                let of_notation = |other: &&Match| other.convention.is_of_notation();
+                let mut explaining = matches.iter().filter(of_notation);
+                let explained = explaining.any(|other| other.explained.binary_search(&place).is_ok());
+                leaves && self.convention.is_of_notation() && explained
+            };
+            let expected = match leaves {
+                true => Some(answer.certified),
+                false => self.convention.predict(answer.record, answer.certified),
+            };
+            expected.is_some_and(|expected| answer.is_other_than(expected)) && !excused()
+        })
+    }
 }
 
 impl<'a> Compared<'a> {
@@ -168,6 +207,12 @@ impl<'a> Compared<'a> {
     /// The state that the question is about. Its radius, depth and force come from one computation.
     fn state(&self) -> (&str, Option<&str>, &[(String, String)]) {
         (&self.record.formula, self.record.control.as_deref(), &self.record.inputs)
+    }
+
+    /// Whether it is a number, and neither `expected` nor that with the rounding errors of its question.
+    fn is_other_than(&self, expected: f64) -> bool {
+        let tolerance = AGREES.max(ROUNDING * self.record.total_condition());
+        self.answer.is_finite() && ((self.answer - expected) / expected).abs() > tolerance
     }
 
     /// The prediction of a convention; `None` if there is none, or if it is the certified value itself.

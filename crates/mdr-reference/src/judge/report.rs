@@ -20,6 +20,7 @@ pub struct Judged<'a> {
 
 /// All answers of one difficulty.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Class {
     /// The difficulty.
     pub difficulty: Difficulty,

@@ -70,6 +70,7 @@ pub struct Entry {
 
 /// A correction of the paper.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Erratum {
     /// The correction. Formulas are written between backquotes.
     pub text: &'static str,

@@ -5,6 +5,7 @@ use crate::table::rows;
 
 /// A theorem, with its statement in words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Theorem {
     /// The id of the entry to which it belongs.
     pub entry: &'static str,

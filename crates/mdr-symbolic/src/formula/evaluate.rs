@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::symbol::Symbol;
 
 /// An arithmetic with a point: values for n and for every symbol. With rigorous intervals the result is an enclosure.
-pub trait Arithmetic {
+pub trait Evaluator {
     /// A number.
     type Value: Clone;
 
@@ -51,8 +51,8 @@ pub trait Arithmetic {
 /// The value of a formula, part by part as it is written.
 ///
 /// # Errors
-/// Errors of [`Arithmetic::operation`].
-pub fn evaluate<A: Arithmetic>(formula: &Formula, domain: Domain, arithmetic: &A) -> Result<A::Value> {
+/// Errors of [`Evaluator::operation`].
+pub fn evaluate<A: Evaluator>(formula: &Formula, domain: Domain, arithmetic: &A) -> Result<A::Value> {
     let of = |formula: &Formula| evaluate(formula, domain, arithmetic);
     let combine = |parts: &[Formula], start: i32, join: fn(&A, &A::Value, &A::Value) -> A::Value| {
         parts.iter().try_fold(arithmetic.rational(&Rational::from(start)), |total, part| {

@@ -15,7 +15,7 @@ use rug::Rational;
 use crate::symbol::Symbol;
 
 pub use definition::Definition;
-pub use evaluate::{Arithmetic, evaluate};
+pub use evaluate::{Evaluator, evaluate};
 
 /// A formula.
 #[derive(Clone, Debug, PartialEq, Eq)]

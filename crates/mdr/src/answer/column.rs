@@ -2,7 +2,7 @@
 
 use mdr_core::contact::ControlKind;
 
-use super::Output;
+use super::{Answer, Output};
 use crate::Validity;
 
 /// A column of a table: the key of its cells, its heading for a reader and its unit.
@@ -71,6 +71,39 @@ impl Output {
     /// ```
     pub fn title<'k>(&self, key: &'k str, control: Option<ControlKind>) -> (&'k str, &'static str) {
         heading(&self.columns(), key, control)
+    }
+}
+
+impl Answer {
+    /// The heading of a column of one of its outputs and its unit, with forces in the unit of the answer: in line contact
+    /// they are per length and on a periodic medium per area, and so are energies and stiffnesses.
+    pub fn title<'k>(&self, output: &Output, key: &'k str) -> (&'k str, &'static str) {
+        let (title, unit) = output.title(key, self.control);
+        (title, self.unit(unit))
+    }
+
+    /// The unit of a column in this answer.
+    fn unit(&self, unit: &'static str) -> &'static str {
+        match (self.force_unit, unit) {
+            ("N", unit) => unit,
+            (force, "N") => force,
+            ("N/m", "J") => "J/m",
+            ("N/m", "N/m") => "Pa",
+            ("Pa", "J") => "J/m²",
+            ("Pa", "N/m") => "Pa/m",
+            (_, unit) => unit,
+        }
+    }
+
+    /// What belongs below the table of one of its outputs, a paragraph each; see [`Output::remarks`]. Sums of energies, which are
+    /// said there in joules, are left out where they are per length or per area.
+    pub fn remarks(&self, output: &Output, style: &super::NumberStyle) -> Vec<String> {
+        let mut remarks = output.remarks(style);
+        if self.force_unit != "N" {
+            let sentences = output.sentences(style);
+            remarks.retain(|remark| !sentences.contains(remark));
+        }
+        remarks
     }
 }
 

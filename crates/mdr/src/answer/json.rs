@@ -25,6 +25,10 @@ impl Serialize for Answer {
         map.serialize_entry("digits", &self.arithmetic.digits())?;
         map.serialize_entry("profile", self.profile)?;
         map.serialize_entry("control", &self.control.map(|control| control.name()))?;
+        if let Some(medium) = self.medium {
+            map.serialize_entry("medium", medium)?;
+            map.serialize_entry("force_unit", self.force_unit)?;
+        }
         if !self.notes.is_empty() {
             map.serialize_entry("notes", &self.notes)?;
         }

@@ -52,7 +52,7 @@ impl Answer {
             "" => name.to_owned(),
             unit => format!("{name} ({})", style.unit(unit)),
         };
-        let unit = |key: &str| output.title(key.strip_prefix(LOG10).unwrap_or(key), self.control).1;
+        let unit = |key: &str| self.title(output, key.strip_prefix(LOG10).unwrap_or(key)).1;
         let in_units = |row| separated(row, |log10, key| style.magnitude(log10, unit(key)));
         let rows: Vec<FlatRow> = output.table().into_iter().map(in_units).collect();
         let (inputs, keys) = (scene.inputs(), columns(&rows));

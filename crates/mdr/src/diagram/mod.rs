@@ -7,6 +7,7 @@ use mdr_core::contact::{self, Control, Fold};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::medium::Medium;
 use mdr_numeric::path::{self, ContactState, EventKind};
 
 pub use mdr_core::contact::Equilibrium;
@@ -14,12 +15,12 @@ pub use mdr_numeric::folds::SearchQuality;
 
 /// A state in the planes of the pictures: contact radius, indentation depth, force.
 pub use crate::double::State;
-pub use sampling::Sample;
+pub use sampling::CurveSample;
 
 use sampling::samples;
 
 use crate::error::Result;
-use crate::outputs::path::follow;
+use crate::outputs::path::{edges, follow};
 use crate::scene::Scene;
 use crate::solve;
 
@@ -29,12 +30,13 @@ pub struct Branch {
     /// Whether its states are stable.
     pub stable: bool,
     /// The samples, by increasing contact radius.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<CurveSample>,
 }
 
 /// Something that happens on a path.
 #[derive(Clone, Copy, Debug)]
-pub struct Event {
+#[non_exhaustive]
+pub struct DiagramEvent {
     /// The kind of event.
     pub kind: EventKind,
     /// The controlled quantity.
@@ -47,6 +49,7 @@ pub struct Event {
 
 /// The diagram (g − d, Δl) while the controlled quantity is held.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct HeldCurve {
     /// The controlled quantity.
     pub value: f64,
@@ -63,8 +66,12 @@ pub struct Diagram {
     pub control: Control<f64>,
     /// E*.
     pub effective_modulus: f64,
+    /// The medium, with its stiffness at a fixed contact radius.
+    medium: Medium<f64>,
     /// The branches, by increasing radius; neighbours share the point of their fold.
     pub branches: Vec<Branch>,
+    /// With two works of adhesion, the branches of an advancing edge: `branches` and all else are those of a receding one.
+    pub advancing: Vec<Branch>,
     /// The states in which the contact edge stays at a vertical edge: from the first state on, along a straight line.
     pub wall: Option<[State; 2]>,
     /// The folds within the range of radii.
@@ -72,7 +79,7 @@ pub struct Diagram {
     /// The curves at fixed values of the controlled quantity.
     pub held: Vec<HeldCurve>,
     /// The events of its path.
-    pub path: Vec<Event>,
+    pub path: Vec<DiagramEvent>,
     /// Whether there may be folds that were not found.
     pub completeness: SearchQuality,
 }
@@ -80,7 +87,7 @@ pub struct Diagram {
 /// At how many values of the controlled quantity the upper panel shows g − d.
 const MOST_HELD: usize = 3;
 
-impl Event {
+impl DiagramEvent {
     /// The state before it, or after it where contact begins; none while the surfaces are apart.
     pub fn in_contact(&self) -> Option<State> {
         [self.before, self.after].into_iter().flatten().find(|state| state.contact_radius > 0.0)
@@ -117,23 +124,44 @@ impl Scene {
                 .of("profile")
                 .refuse("a drawing shows equilibria, and needs [material] in the scene"));
         }
+        let values = |model: &solve::model::Model<f64>| -> Vec<f64> {
+            self.values.iter().map(|literal| model.number(literal)).collect()
+        };
+        if self.has_two_works() {
+            return solve::drawn_between(self, REACH, |model, [advancing, receding]| {
+                let follow = || edges::follow(model, [advancing, receding], self);
+                let events = if self.path.is_empty() { Vec::new() } else { follow()?.events };
+                let mut diagram = Diagram::new(receding, &events, &values(model), radius)?;
+                let largest = diagram.samples().next_back().map(|sample| sample.contact_radius);
+                diagram.advancing = Diagram::new(advancing, &[], &[], largest)?.branches;
+                Ok(diagram)
+            });
+        }
         solve::drawn(self, REACH, |model, branches| {
             let events = if self.path.is_empty() { Vec::new() } else { follow(model, branches, self)?.events };
-            let values: Vec<f64> = self.values.iter().map(|literal| model.number(literal)).collect();
-            Diagram::new(branches, &events, &values, radius)
+            Diagram::new(branches, &events, &values(model), radius)
         })
     }
 }
 
 impl Diagram {
     /// The points of the curve of equilibria by increasing radius; the radius of a fold comes twice, once on each branch.
-    pub fn samples(&self) -> impl DoubleEndedIterator<Item = &Sample> {
+    pub fn samples(&self) -> impl DoubleEndedIterator<Item = &CurveSample> {
         self.branches.iter().flat_map(|branch| &branch.samples)
+    }
+
+    /// The points of the curve on which an edge moves from one radius to another.
+    pub fn samples_between(&self, from: f64, to: f64) -> impl DoubleEndedIterator<Item = &CurveSample> {
+        let advances = to > from && !self.advancing.is_empty();
+        let branches = if advances { &self.advancing } else { &self.branches };
+        let (lower, upper) = (from.min(to), from.max(to));
+        let samples = branches.iter().flat_map(|branch| &branch.samples);
+        samples.filter(move |sample| sample.contact_radius > lower && sample.contact_radius < upper)
     }
 
     /// The states between the two ends of a jump, out of equilibrium: at each contact radius, the indentation depth and the force
     /// (1.6), 2E*(a d − ∫g), that the control leaves. `None` if the surfaces touch everywhere.
-    pub fn jump(&self, event: &Event) -> Option<Vec<State>> {
+    pub fn jump(&self, event: &DiagramEvent) -> Option<Vec<State>> {
         let (from, to) = (event.before?, event.after?);
         let (lower, upper) = (from.contact_radius.min(to.contact_radius), from.contact_radius.max(to.contact_radius));
         let between = self.samples().filter(|sample| sample.contact_radius > lower && sample.contact_radius < upper);
@@ -145,9 +173,9 @@ impl Diagram {
     }
 
     /// The state at the contact radius of an equilibrium, with the controlled quantity at `value`.
-    fn out_of_equilibrium(&self, sample: &Sample, value: f64) -> State {
-        let Sample { contact_radius, indentation: depth, force: rest, .. } = *sample;
-        let slope = 2.0 * self.effective_modulus * contact_radius;
+    fn out_of_equilibrium(&self, sample: &CurveSample, value: f64) -> State {
+        let CurveSample { contact_radius, indentation: depth, force: rest, .. } = *sample;
+        let slope = self.medium.stiffness(&contact_radius);
         let indentation = match &self.control {
             Control::Indentation => value,
             Control::Force => depth + (value - rest) / slope,
@@ -190,7 +218,9 @@ impl Diagram {
         Ok(Diagram {
             control: curve.control().clone(),
             effective_modulus: *curve.modulus(),
+            medium: curve.medium().clone(),
             branches: cut(branches, &nodes, &all),
+            advancing: Vec::new(),
             wall: wall(curve, upper)?,
             folds: folds.into_iter().filter(|fold| fold.indentation.is_finite()).map(at_fold).collect(),
             held,
@@ -202,8 +232,8 @@ impl Diagram {
 
 /// The values of the upper panel: at the beginning of the path and at the instabilities it passes; else the requested values;
 /// else the values of the folds.
-fn shown_values(branches: &SearchedBranches<f64>, path: &[Event], asked: &[f64], most: usize) -> Vec<f64> {
-    let turns = |event: &&Event| match event.kind {
+fn shown_values(branches: &SearchedBranches<f64>, path: &[DiagramEvent], asked: &[f64], most: usize) -> Vec<f64> {
+    let turns = |event: &&DiagramEvent| match event.kind {
         EventKind::JumpIn | EventKind::Jump | EventKind::Detached | EventKind::CompleteContact => true,
         EventKind::Start => event.in_contact().is_some(),
         _ => false,
@@ -257,19 +287,19 @@ pub const DECADES: f64 = 300.0;
 
 fn held(
     curve: &Contact<f64>,
-    samples: &[Sample],
+    samples: &[CurveSample],
     value: f64,
     equilibria: Vec<Equilibrium<f64>>,
 ) -> contact::Result<HeldCurve> {
     // The direction of change is g − Δl − d(held).
-    let at = |sample: &Sample| {
+    let at = |sample: &CurveSample| {
         Ok([sample.contact_radius, curve.direction(&sample.contact_radius, &value)? + sample.elongation])
     };
     Ok(HeldCurve { value, shifted: samples.iter().map(at).collect::<contact::Result<_>>()?, equilibria })
 }
 
 /// The samples cut at the folds.
-fn cut(branches: &SearchedBranches<f64>, nodes: &[f64], all: &[Sample]) -> Vec<Branch> {
+fn cut(branches: &SearchedBranches<f64>, nodes: &[f64], all: &[CurveSample]) -> Vec<Branch> {
     let skipped =
         branches.folds().iter().filter(|fold| nodes.first().is_none_or(|first| fold.contact_radius < *first)).count();
     let mut parts: Vec<Branch> = Vec::new();
@@ -288,7 +318,7 @@ fn cut(branches: &SearchedBranches<f64>, nodes: &[f64], all: &[Sample]) -> Vec<B
 }
 
 /// Whether a curve without folds is stable.
-fn rising(curve: &Contact<f64>, samples: &[Sample]) -> bool {
+fn rising(curve: &Contact<f64>, samples: &[CurveSample]) -> bool {
     let middle = samples[samples.len() / 2].contact_radius;
     matches!((curve.tangency(&middle), curve.critical_ratio(&middle)), (Ok(ratio), Ok(threshold)) if ratio > threshold)
 }
@@ -299,7 +329,7 @@ fn wall(curve: &Contact<f64>, upper: f64) -> contact::Result<Option<[State; 2]>>
     let (indentation, force) = curve.state(&radius)?;
     let added = 2.0 * curve.detachment_elongation(&radius)? + indentation.abs();
     let first = State { contact_radius: radius, indentation, force };
-    let force = force + 2.0 * curve.modulus() * radius * added;
+    let force = force + curve.stiffness(&radius) * added;
     Ok(Some([first, State { contact_radius: radius, indentation: indentation + added, force }]))
 }
 
@@ -307,7 +337,7 @@ fn at_fold(fold: &Fold<f64>) -> State {
     State { contact_radius: fold.contact_radius, indentation: fold.indentation, force: fold.force }
 }
 
-fn happening(event: &path::Event<f64>, curve: &Contact<f64>) -> Event {
+fn happening(event: &path::Event<f64>, curve: &Contact<f64>) -> DiagramEvent {
     let numbers = |state: &ContactState<f64>| match state {
         ContactState::Contact(rest) => {
             Some(State { contact_radius: rest.contact_radius, indentation: rest.indentation, force: rest.force })
@@ -319,5 +349,5 @@ fn happening(event: &path::Event<f64>, curve: &Contact<f64>) -> Event {
         ContactState::Detached => Some(State { contact_radius: 0.0, indentation: event.value, force: 0.0 }),
         ContactState::Complete => None,
     };
-    Event { kind: event.kind, value: event.value, before: numbers(&event.before), after: numbers(&event.after) }
+    DiagramEvent { kind: event.kind, value: event.value, before: numbers(&event.before), after: numbers(&event.after) }
 }

@@ -5,7 +5,8 @@ use mdr_numeric::contact::Contact;
 
 /// A point of the curve of equilibria, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
+#[non_exhaustive]
+pub struct CurveSample {
     /// a.
     pub contact_radius: f64,
     /// d(a) = g(a) − Δl(a).
@@ -18,11 +19,11 @@ pub struct Sample {
     pub elongation: f64,
 }
 
-impl Sample {
+impl CurveSample {
     fn at(curve: &Contact<f64>, a: f64) -> Result<Self> {
         let (indentation, force) = curve.state(&a)?;
         let (transformed, elongation) = (curve.transform().g(&a)?, curve.detachment_elongation(&a)?);
-        Ok(Sample { contact_radius: a, indentation, force, transformed, elongation })
+        Ok(CurveSample { contact_radius: a, indentation, force, transformed, elongation })
     }
 
     fn coordinates(&self) -> [f64; 4] {
@@ -44,7 +45,7 @@ const DEPTH: u32 = 14;
 ///
 /// # Errors
 /// Errors of the transform.
-pub(super) fn samples(curve: &Contact<f64>, lower: f64, upper: f64, nodes: &[f64]) -> Result<Vec<Sample>> {
+pub(super) fn samples(curve: &Contact<f64>, lower: f64, upper: f64, nodes: &[f64]) -> Result<Vec<CurveSample>> {
     const COARSE: u32 = 64;
     // Equal steps in √a: near the tip everything changes as a root or faster.
     let root = |share: f64| (lower.sqrt() + share * (upper.sqrt() - lower.sqrt())).powi(2);
@@ -54,9 +55,9 @@ pub(super) fn samples(curve: &Contact<f64>, lower: f64, upper: f64, nodes: &[f64
     radii.extend([lower, upper]);
     radii.sort_by(f64::total_cmp);
     radii.dedup();
-    let coarse = radii.iter().map(|a| Sample::at(curve, *a)).collect::<Result<Vec<_>>>()?;
+    let coarse = radii.iter().map(|a| CurveSample::at(curve, *a)).collect::<Result<Vec<_>>>()?;
     let scales = ranges(&coarse);
-    let mut fine: Vec<Sample> = coarse.first().copied().into_iter().collect();
+    let mut fine: Vec<CurveSample> = coarse.first().copied().into_iter().collect();
     for pair in coarse.windows(2) {
         refine(curve, (pair[0], pair[1]), &scales, DEPTH, &mut fine)?;
     }
@@ -69,7 +70,7 @@ fn regular(curve: &Contact<f64>, a: f64) -> Vec<f64> {
 }
 
 /// The largest minus the smallest of each quantity.
-fn ranges(samples: &[Sample]) -> [f64; 4] {
+fn ranges(samples: &[CurveSample]) -> [f64; 4] {
     let mut extremes = [[f64::INFINITY, f64::NEG_INFINITY]; 4];
     for sample in samples {
         for (range, value) in extremes.iter_mut().zip(sample.coordinates()) {
@@ -82,16 +83,16 @@ fn ranges(samples: &[Sample]) -> [f64; 4] {
 /// Adds the points after the first of the pair, up to its second.
 fn refine(
     curve: &Contact<f64>,
-    (from, to): (Sample, Sample),
+    (from, to): (CurveSample, CurveSample),
     scales: &[f64; 4],
     depth: u32,
-    fine: &mut Vec<Sample>,
+    fine: &mut Vec<CurveSample>,
 ) -> Result<()> {
     if to.contact_radius - from.contact_radius <= 3.0 * BESIDE * to.contact_radius {
         fine.push(to);
         return Ok(());
     }
-    let middle = Sample::at(curve, f64::midpoint(from.contact_radius, to.contact_radius))?;
+    let middle = CurveSample::at(curve, f64::midpoint(from.contact_radius, to.contact_radius))?;
     let bent = (0..4).any(|index| {
         let [from, middle, to] = [from, middle, to].map(|sample| sample.coordinates()[index]);
         (middle - f64::midpoint(from, to)).abs() > TOLERANCE * scales[index]

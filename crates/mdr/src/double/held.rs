@@ -7,7 +7,8 @@ use crate::run::Stop;
 
 /// The elongations at the edge of a contact at each radius, at a fixed controlled quantity, as columns in m.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Balance {
+#[non_exhaustive]
+pub struct EnergyBalance {
     /// g(a) − d: the elongation of the spring at the edge that elasticity requires.
     pub excess: Vec<f64>,
     /// Δl(a) = √(2πaw/E*): the elongation that adhesion can hold.
@@ -23,11 +24,11 @@ impl Contact {
     ///
     /// # Errors
     /// A value or a stiffness out of its domain; a quadrature that does not converge; [`Stopped`](crate::ContactError::Stopped).
-    pub fn balance(&self, control: &Control<f64>, value: f64, radii: &[f64], stop: &Stop) -> Result<Balance> {
+    pub fn balance(&self, control: &Control<f64>, value: f64, radii: &[f64], stop: &Stop) -> Result<EnergyBalance> {
         control.check()?;
         control.check_value(&value)?;
         let curve = self.counted(control, stop);
-        let mut balance = Balance::default();
+        let mut balance = EnergyBalance::default();
         for a in radii {
             let sides = Error::require_positive(Quantity::ContactRadius, *a).and_then(|a| {
                 let elongation = curve.detachment_elongation(&a)?;

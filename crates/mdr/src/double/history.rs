@@ -48,6 +48,7 @@ pub struct History {
 
 /// Events, a curve to be drawn, and energy.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct LoadingPath {
     /// The events, in their order.
     pub events: Vec<Event>,

@@ -26,7 +26,7 @@ use crate::run::Stop;
 use crate::scene::{Profile, Scene};
 use crate::solve;
 
-pub use held::Balance;
+pub use held::EnergyBalance;
 pub use history::{Event, History, LoadingPath, Start, State};
 
 /// States as columns of one length, in SI units.
@@ -110,6 +110,17 @@ impl Contact {
     /// A number that no double holds; a parameter out of its domain.
     pub fn new(scene: &Scene) -> crate::Result<Self> {
         scene.places.require_doubles("ask for certified digits")?;
+        if scene.has_two_works() {
+            let why = "states in columns are those of one work of adhesion: give the one of the edge that is meant";
+            return Err(scene.places.of("material.work_of_adhesion").refuse(why));
+        }
+        if !scene.medium.is_half_space() {
+            let name = scene.medium.name();
+            let why = format!(
+                "arrays of states are available on a half-space only, got \"{name}\"; solve a scene, or its contact()"
+            );
+            return Err(scene.places.of("medium").refuse(why));
+        }
         let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(Literal::nearest_f64);
         let transform = Arc::from(solve::transform_in_doubles(&scene.profile)?);
         let material = Material::new(modulus, work)?;

@@ -84,7 +84,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
     /// Proved where g has enclosures.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if !certified.scene.profile.is_enclosed() {
+        if !certified.scene.is_enclosed() {
             return Ok(None);
         }
         let radii = self.radii(|| certified.search())?;
@@ -133,7 +133,7 @@ fn points<R: SceneReal>(
 ) -> Result<Vec<CurvePoint<R>>> {
     let curve = model.contact();
     let at = |literal: &Literal| {
-        let a = model.number(literal);
+        let a = model.size(literal)?;
         let (indentation, force) = match curve.state(&a) {
             Ok((indentation, force)) => (Ok(indentation), Ok(force)),
             Err(error) => (curve.indentation(&a), Err(error)),

@@ -170,9 +170,9 @@ fn described<'w, R: SceneReal, F: FieldRoom<'w>>(
     states.described(values, |state| {
         let fields = Fields::of(states.model.contact(), &state)?;
         Ok(FieldState {
-            samples: samples::<R, F>(states, &fields, radii, &state.contact_radius)?,
+            samples: samples::<R, F>(states, &fields, radii, &states.model.contact_radius(&state.contact_radius))?,
             admissible: F::admission(states, &fields, &state)?,
-            state: state.map(|number| Estimate::exact(number.clone())).into(),
+            state: states.model.shown(state).map(|number| Estimate::exact(number.clone())).into(),
             field: F::FIELD,
         })
     })

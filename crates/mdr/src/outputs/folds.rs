@@ -1,13 +1,13 @@
 //! The output `folds`: where branches of equilibria lose their stability.
 
 #[cfg(feature = "mp")]
-use mdr_core::calculus::Estimate;
-use mdr_core::contact::{self, FoldKind, Result};
+use mdr_analytic::certified;
 #[cfg(feature = "mp")]
-use mdr_core::contact::{Control, Regime};
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{self, Edge, FoldKind, Regime, Result, Status};
+use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
-use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::{Admissibility, Verdict};
 
 use super::key::Key;
@@ -20,13 +20,14 @@ use crate::answer::{Admission, List, Value};
 #[cfg(feature = "mp")]
 use crate::answer::{Number, Promise};
 use crate::scene::{Arithmetic, Scene};
+use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
     digits::{agree, decide},
     power_law::{self, PowerLaw},
-    proof::{Enclosed, FoldProof},
+    proof::{self, Enclosed, FoldProof},
     refine::refined,
 };
 
@@ -43,6 +44,8 @@ record! {
         kind: FoldKind,
         /// Whether the state is admissible.
         admissible: Admission<N>,
+        /// With two works of adhesion, the edge whose fold it is.
+        edge: Option<Edge>,
     }
 }
 
@@ -55,7 +58,20 @@ impl<N> Fold<N> {
             force: Value::Known(force),
             kind,
             admissible: Admission::of(verdict),
+            edge: None,
         }
+    }
+}
+
+impl Fold {
+    /// The quantities of the state, in the order of a, d and F.
+    pub fn values(&self) -> [&Value; 3] {
+        [&self.contact_radius, &self.indentation, &self.force]
+    }
+
+    /// `Ok`, or the status of the first quantity out of range.
+    pub fn status(&self) -> Status {
+        self.values().into_iter().map(Value::status).find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
     }
 }
 
@@ -76,11 +92,11 @@ fn no_range(scene: &Scene, kind: OutputKind, _drawn: bool) -> Option<&'static st
         return Some("nothing is proved in f64");
     }
     #[cfg(feature = "mp")]
-    if scene.profile.exact_power_law(Literal::to_rational).is_some() {
+    if scene.pressed_into().is_half_space() && scene.profile.exact_power_law(Literal::to_rational).is_some() {
         return Some("the folds of a power law are a closed form, on all radii");
     }
-    let searched = !scene.profile.is_enclosed() && scene.profile.rows().is_none();
-    searched.then_some("folds of a sum with a table are searched, not proved")
+    let searched = !scene.is_enclosed() && scene.exact_rows().is_none();
+    searched.then_some("folds of a sum with a table, or of a quadrature, are searched, not proved")
 }
 
 pub(super) struct Room<'w> {
@@ -94,7 +110,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn by_law(&self, law: &PowerLaw<'_>) -> Result<Option<Output>> {
-        let folds = List::new(Promise::Certified, of_law(law)?);
+        let folds = List::new(Promise::Certified, of_answer(law.question.answer(law.digits)?));
         Ok(Some(Output::Folds(folds.complete(power_law::complete()))))
     }
 
@@ -109,15 +125,27 @@ impl<'w> IsRoom<'w> for Room<'w> {
             let model = certified.model::<rug::Float>(precision)?;
             let admissibility = certified.admissibility()?;
             let folds = refined(&model, certified.search()?.folds()?)?.folds.into_iter();
-            Ok(folds.map(|fold| judged(fold, &admissibility)).collect::<Vec<_>>().convert(Estimate::exact))
+            Ok(folds.map(|fold| judged(&model, fold, &admissibility)).collect::<Vec<_>>().convert(Estimate::exact))
         })?;
         Ok(Output::Folds(List::new(Promise::Estimated, items).complete(certified.searched()?)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let admissibility = search.admissibility();
-        let folds: Vec<_> = search.folds()?.folds.iter().map(|fold| judged(fold.clone(), &admissibility)).collect();
+        let folds: Vec<_> =
+            search.folds()?.folds.iter().map(|fold| judged(&search.model, fold.clone(), &admissibility)).collect();
         Ok(Output::Folds(search::list(folds).complete(search.completeness()?)))
+    }
+
+    fn has_edges(&self) -> bool {
+        true
+    }
+
+    fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
+        let [Output::Folds(advancing), Output::Folds(receding)] = outputs else { return None };
+        let of = |edge: Edge| move |fold: Fold| Fold { edge: Some(edge), ..fold };
+        let [advancing, receding] = [advancing.map(of(Edge::Advancing)), receding.map(of(Edge::Receding))];
+        Some(Output::Folds(advancing.and(receding)))
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {
@@ -126,9 +154,10 @@ impl<'w> IsRoom<'w> for Room<'w> {
 }
 
 /// A fold, and whether it is admissible.
-fn judged<R: Real>(fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
+fn judged<R: SceneReal>(model: &Model<R>, fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
     let verdict = admissibility.of(fold.contact_radius.approx(), fold.indentation.approx());
-    Fold::new(fold, verdict)
+    let contact_radius = model.contact_radius(&fold.contact_radius);
+    Fold::new(contact::Fold { contact_radius, ..fold }, verdict)
 }
 
 /// # Errors
@@ -140,34 +169,36 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
         let enclosed = Enclosed::new(certified, precision)?;
         let curve = enclosed.curve();
         let admissibility = certified.admissibility()?;
-        let refined = |fold: &contact::Fold<Interval>| Ok(judged(curve.refine(fold)?, &admissibility));
+        let refined = |fold: &contact::Fold<Interval>| Ok(judged(&enclosed.value, curve.refine(fold)?, &admissibility));
         let refined: Result<Vec<Fold<Interval>>> = folds.proved.folds.iter().map(refined).collect();
-        Ok(refined?.convert(Enclosure::from))
+        let mut folds = refined?.convert(Enclosure::from);
+        if certified.scene.breaks_at_zero_depth() {
+            folds.iter_mut().for_each(|fold| fold.indentation = proof::exactly(&0.into()));
+        }
+        Ok(folds)
     })?;
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
 }
 
-/// The folds of a power law, correctly rounded.
+/// The folds of a power law by its closed forms: of a machine all of them, else the critical state.
 #[cfg(feature = "mp")]
-fn of_law(law: &PowerLaw<'_>) -> Result<Vec<Fold>> {
-    let answer = law.question.answer(law.digits)?;
-    let kind = match answer.regime {
+pub(crate) fn of_answer(answer: certified::Answer) -> Vec<Fold> {
+    let kind = kind(answer.regime);
+    let critical = answer.critical.map(|state| contact::Fold {
+        contact_radius: state.contact_radius,
+        indentation: state.indentation,
+        force: state.force,
+        kind,
+    });
+    let folds = if answer.folds.is_empty() { critical.into_iter().collect() } else { answer.folds };
+    let written = |fold| Fold::new(fold, Verdict::Admissible).convert(Number::Certified);
+    folds.into_iter().map(written).collect()
+}
+
+/// The kind of the fold of a power law under fixed grips or a dead load.
+pub(crate) fn kind(regime: Regime) -> FoldKind {
+    match regime {
         Regime::CompleteContact => FoldKind::Maximum,
         _ => FoldKind::Minimum,
-    };
-    let folds = match &law.scene.control {
-        Control::Machine { .. } => answer.folds,
-        _ => answer
-            .critical
-            .map(|c| contact::Fold {
-                contact_radius: c.contact_radius,
-                indentation: c.indentation,
-                force: c.force,
-                kind,
-            })
-            .into_iter()
-            .collect(),
-    };
-    let written = |fold| Fold::new(fold, Verdict::Admissible).convert(Number::Certified);
-    Ok(folds.into_iter().map(written).collect())
+    }
 }

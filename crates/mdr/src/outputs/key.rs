@@ -2,7 +2,6 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::ControlKind;
 use mdr_core::number::Literal;
 use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
@@ -69,11 +68,11 @@ pub(crate) struct Keys {
 }
 
 impl Keys {
-    /// Reads the keys of all outputs, wanted or not.
+    /// Reads the keys of all outputs, wanted or not; `held` is the unit of the controlled quantity.
     ///
     /// # Errors
     /// A value out of its domain, with its place.
-    pub(crate) fn read(section: &Section<'_>, control: ControlKind) -> Result<Self> {
+    pub(crate) fn read(section: &Section<'_>, held: SiUnit) -> Result<Self> {
         let mut keys = Keys::default();
         for (kind, key) in keyed() {
             let is_given = match key {
@@ -83,7 +82,7 @@ impl Keys {
                     !radii.is_empty()
                 }
                 Key::Values => {
-                    keys.values = at(section, kind.name(), control.unit(), |value, unit| value.number(unit))?;
+                    keys.values = at(section, kind.name(), held, |value, unit| value.number(unit))?;
                     !keys.values.is_empty()
                 }
                 Key::Range => {

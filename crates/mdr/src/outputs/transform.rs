@@ -60,6 +60,9 @@ impl<'w> IsRoom<'w> for Room<'w> {
     /// Proved where g has enclosures.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
+        if !certified.scene.is_enclosed() {
+            return Ok(None);
+        }
         let items = certified.proved(|precision| {
             Ok(samples(&certified.model::<Interval>(precision)?, self.at)?.convert(Enclosure::from))
         })?;

@@ -11,16 +11,30 @@ impl Scene {
         let mut inputs = Vec::new();
         of_profile(&self.profile, "", &mut inputs);
         let mut add = |name: &str, unit, value: String| inputs.push((name.to_owned(), unit, value));
-        if self.has_material {
+        if !self.medium.is_half_space() {
+            add("medium", "", self.medium.name().to_owned());
+            for (key, number) in self.medium.numbers() {
+                add(&key.replace('.', "_"), self.medium.unit_symbol(key), number.to_string());
+            }
+        }
+        if self.has_material && self.medium.needs_modulus() {
             add("e_star", "Pa", self.effective_modulus.to_string());
-            add("work_of_adhesion", "J/m²", self.work_of_adhesion.to_string());
+        }
+        if self.has_material {
+            match &self.works {
+                None => add("work_of_adhesion", "J/m²", self.work_of_adhesion.to_string()),
+                Some(works) => {
+                    add("advancing_work_of_adhesion", "J/m²", works[0].to_string());
+                    add("receding_work_of_adhesion", "J/m²", works[1].to_string());
+                }
+            }
         }
         if self.names_control() {
             add("control", "", self.control.kind().name().to_owned());
         }
         if let Control::Machine { stiffness } = &self.control {
             // That of a contact is a result.
-            add("machine_stiffness", "N/m", stiffness.to_string());
+            add("machine_stiffness", self.medium.unit_of_stiffness().symbol(), stiffness.to_string());
         }
         inputs
     }
@@ -46,5 +60,6 @@ fn of_profile(profile: &Profile, prefix: &str, inputs: &mut Vec<(String, &'stati
             inputs.extend(parameters.map(|(name, value)| (format!("{prefix}{name}"), "", value.to_string())));
         }
         Profile::Table(_) => {}
+        Profile::Wave(amplitude) => inputs.push((format!("{prefix}amplitude"), "m", amplitude.to_string())),
     }
 }

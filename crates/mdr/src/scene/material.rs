@@ -26,6 +26,23 @@ pub(super) fn effective_modulus(elasticity: &Elasticity) -> Result<Literal> {
     }
 }
 
+/// w₁ and w₂ if they differ, with w₁ checked; `place` is where w₁ stands.
+pub(super) fn works(advancing: Literal, receding: Literal, place: &Location) -> Result<Option<Box<[Literal; 2]>>> {
+    if advancing.is_negative() {
+        return Err(place.refuse(format!("must not be negative, got {}", excerpt(&advancing.to_string()))));
+    }
+    match advancing.compare(&receding) {
+        Ordering::Less => Ok(Some(Box::new([advancing, receding]))),
+        Ordering::Equal => Ok(None),
+        Ordering::Greater => Err(place.refuse(format!(
+            "an advancing edge gains at most what a receding one needs, {}, got {}: exchange the two if they are the other way \
+             round",
+            excerpt(&receding.to_string()),
+            excerpt(&advancing.to_string())
+        ))),
+    }
+}
+
 /// Why a Poisson's ratio cannot be one.
 pub(super) fn refused_ratio(ratio: &Literal) -> Option<String> {
     let above = ratio.compare(&Literal::from(-1)) == Ordering::Greater;
@@ -34,22 +51,28 @@ pub(super) fn refused_ratio(ratio: &Literal) -> Option<String> {
 }
 
 /// E* of two bodies, exactly.
-#[cfg(feature = "mp")]
 pub(super) fn combined(bodies: &[Body<Literal>; 2]) -> Option<Literal> {
+    series(bodies)
+}
+
+/// E* of one body or more, exactly.
+#[cfg(feature = "mp")]
+pub(super) fn series(bodies: &[Body<Literal>]) -> Option<Literal> {
     let compliance = |body: &Body<Literal>| {
         (rug::Rational::from(1) - body.poissons_ratio.to_rational().square()) / body.youngs_modulus.to_rational()
     };
-    exactly(&(compliance(&bodies[0]) + compliance(&bodies[1])).recip())
+    let sum: rug::Rational = bodies.iter().map(compliance).sum();
+    exactly(&sum.recip())
 }
 
-/// E* of two bodies, rounded to a double.
+/// E* of one body or more, rounded to a double.
 #[cfg(not(feature = "mp"))]
-pub(super) fn combined(bodies: &[Body<Literal>; 2]) -> Option<Literal> {
+pub(super) fn series(bodies: &[Body<Literal>]) -> Option<Literal> {
     let compliance = |body: &Body<Literal>| {
         let ratio = body.poissons_ratio.nearest_f64();
         (1.0 - ratio) * (1.0 + ratio) / body.youngs_modulus.nearest_f64()
     };
-    Literal::try_from((compliance(&bodies[0]) + compliance(&bodies[1])).recip()).ok()
+    Literal::try_from(bodies.iter().map(compliance).sum::<f64>().recip()).ok()
 }
 
 /// A rational number as a literal; `None` for one of absurd length.

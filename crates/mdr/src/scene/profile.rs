@@ -26,6 +26,8 @@ pub enum Profile {
     Formula(Formula),
     /// Measured rows, whose g is a sum over them.
     Table(Measured),
+    /// A wave h₀(1 − cos 2πx/λ) on a periodic medium, which has λ: h₀, in m.
+    Wave(Literal),
 }
 
 /// A formula for f(r) with the values of its parameters.
@@ -158,6 +160,7 @@ impl Profile {
             Profile::Sum(_) => "sum",
             Profile::Formula(_) => "expression",
             Profile::Table(_) => "table",
+            Profile::Wave(_) => "wave",
         }
     }
 
@@ -188,7 +191,7 @@ impl Profile {
     /// Whether g is a closed form; otherwise it is a quadrature or measured.
     pub(crate) fn is_closed(&self) -> bool {
         match self {
-            Profile::Shape(_) => true,
+            Profile::Shape(_) | Profile::Wave(_) => true,
             Profile::Sum(terms) => terms.iter().all(Profile::is_closed),
             Profile::Formula(_) | Profile::Table(_) => false,
         }
@@ -197,7 +200,7 @@ impl Profile {
     /// Whether g can be enclosed: a closed form, rigorous integrals of a formula, or a sum of these.
     pub(crate) fn is_enclosed(&self) -> bool {
         match self {
-            Profile::Shape(_) | Profile::Formula(_) => true,
+            Profile::Shape(_) | Profile::Formula(_) | Profile::Wave(_) => true,
             Profile::Sum(terms) => terms.iter().all(Profile::is_enclosed),
             Profile::Table(_) => false,
         }
@@ -208,7 +211,7 @@ impl Profile {
         match self {
             Profile::Sum(terms) => terms.iter().any(Profile::has_formula),
             Profile::Formula(_) => true,
-            Profile::Shape(_) | Profile::Table(_) => false,
+            Profile::Shape(_) | Profile::Table(_) | Profile::Wave(_) => false,
         }
     }
 
@@ -247,6 +250,7 @@ impl Profile {
                 formula.parameters.iter().map(|(name, number)| at((&format!("parameters.{name}"), number))).collect()
             }
             Profile::Table(_) => Vec::new(),
+            Profile::Wave(amplitude) => vec![at(("amplitude", amplitude))],
         }
     }
 
@@ -257,6 +261,7 @@ impl Profile {
             Profile::Sum(terms) => terms.iter().flat_map(Profile::units).collect(),
             Profile::Formula(formula) => formula.parameters.keys().map(|_| SiUnit::Unstated).collect(),
             Profile::Table(_) => Vec::new(),
+            Profile::Wave(_) => vec![SiUnit::Metre],
         }
     }
 
@@ -273,6 +278,7 @@ impl Profile {
                 Profile::Formula(formula)
             }
             Profile::Table(_) => self.clone(),
+            Profile::Wave(amplitude) => Profile::Wave(numbers.next().unwrap_or_else(|| amplitude.clone())),
         }
     }
 
@@ -282,13 +288,14 @@ impl Profile {
     /// A kind that is none, a key that is missing or unknown, a number out of its domain, with their places.
     pub fn read(section: &Section<'_>) -> Result<Profile> {
         /// The kinds that are no shapes of the library.
-        const OTHERS: [&str; 3] = ["sum", "expression", "table"];
+        const OTHERS: [&str; 4] = ["sum", "expression", "table", "wave"];
         let kind = section.required("kind")?;
         let profile = match (kind.text()?, Shape::by_name(kind.text()?)) {
             (_, Some(blank)) => shape(section, blank.clone())?,
             ("sum", None) => sum(section)?,
             ("expression", None) => formula(section)?,
             ("table", None) => Profile::Table(Measured::read(section)?),
+            ("wave", None) => Profile::Wave(section.required("amplitude")?.positive(SiUnit::Metre)?),
             (other, None) => {
                 let known: Vec<&str> = Shape::names().chain(OTHERS).collect();
                 return Err(kind.refuse(unknown_name("profile", other, &known)));

@@ -1,4 +1,4 @@
-//! Reading a scene: its tables `[profile]`, `[material]`, `[control]` and `[output]`.
+//! Reading a scene: its tables `[profile]`, `[medium]`, `[material]`, `[control]` and `[output]`.
 
 use std::io;
 use std::path::Path;
@@ -7,6 +7,7 @@ use mdr_core::contact::{Body, Control, ControlKind};
 use mdr_core::number::Literal;
 use mdr_core::units::SiUnit;
 
+use super::medium::Medium;
 use super::place::Places;
 use super::profile::Profile;
 use super::tree::{Files, Section, Value};
@@ -76,8 +77,11 @@ pub fn no_files(file: &str) -> io::Result<Vec<u8>> {
 
 fn read(top: &Section<'_>) -> Result<Scene> {
     let numbers = &top.document.numbers;
+    let pressed = top.optional_section("medium")?;
+    let medium = pressed.as_ref().map(Medium::read).transpose()?.unwrap_or_default();
     let moduli = top.optional_section("material")?;
-    let (modulus, work, range) = moduli.as_ref().map_or(Ok((1.into(), 1.into(), None)), material_of)?;
+    let material_of = |section: &Section<'_>| material_of(section, &medium);
+    let (modulus, work, range, works) = moduli.as_ref().map_or(Ok((1.into(), 1.into(), None, None)), material_of)?;
     let shape = top.section("profile")?;
     let before = numbers.borrow().len();
     let profile = Profile::read(&shape)?;
@@ -86,12 +90,15 @@ fn read(top: &Section<'_>) -> Result<Scene> {
         measured.require_rising(&shape.place())?;
     }
     let places = Places { read: vec![("profile", shape.place())], numbers: Vec::new(), parameters };
-    let mut scene = Scene::blank(profile, modulus, work, places);
-    (scene.has_material, scene.range_of_adhesion) = (moduli.is_some(), range);
+    let mut scene = Scene::blank(profile, modulus, work, places).on(medium);
+    (scene.has_material, scene.range_of_adhesion, scene.works) = (moduli.is_some(), range, works);
     let read = &mut scene.places.read;
     if let Some(section) = &moduli {
         read.push(("material.e_star", section.place_of(&["e_star", "body"])));
         read.push(("material.work_of_adhesion", section.place_of(&["work_of_adhesion"])));
+    }
+    if let Some(section) = &pressed {
+        read.push(("medium", section.place()));
     }
     if let Some(section) = &top.optional_section("control")? {
         scene.take_control(section)?;
@@ -100,8 +107,9 @@ fn read(top: &Section<'_>) -> Result<Scene> {
     top.finish()?;
     let stated = scene.take_output(&outputs?)?;
     scene.places.numbers = numbers.take();
+    scene.check_medium()?;
     let tables = scene.profile.tables();
-    scene.notes = tables.iter().flat_map(|table| table.notes()).collect();
+    scene.notes.extend(tables.iter().flat_map(|table| table.notes()));
     if let Some(arithmetic) = stated {
         scene.arithmetic = arithmetic;
     } else if !tables.is_empty() && scene.places.require_doubles("").is_ok() {
@@ -111,10 +119,39 @@ fn read(top: &Section<'_>) -> Result<Scene> {
     Ok(scene)
 }
 
-/// The table `[material]`: E*, w and the range of adhesion.
-fn material_of(section: &Section<'_>) -> Result<(Literal, Literal, Option<Literal>)> {
-    let work = section.required("work_of_adhesion")?.positive(SiUnit::JoulePerSquareMetre)?;
-    let modulus = match section.one_of(&["e_star", "body"])? {
+/// One work of adhesion, or two: w₂, and both if they differ.
+fn works_of(value: &Value<'_>) -> Result<(Literal, Works)> {
+    if !value.is_table() {
+        return Ok((value.positive(SiUnit::JoulePerSquareMetre)?, None));
+    }
+    let section = value.section()?;
+    let (advancing, receding) = (section.required("advancing")?, section.required("receding")?);
+    let work = receding.positive(SiUnit::JoulePerSquareMetre)?;
+    let works = material::works(advancing.number(SiUnit::JoulePerSquareMetre)?, work.clone(), &advancing.place())?;
+    section.finish()?;
+    Ok((work, works))
+}
+
+/// w₁ and w₂ if they differ.
+type Works = Option<Box<[Literal; 2]>>;
+
+/// The table `[material]`: E*, w or w₂, the range of adhesion, and both works of adhesion if there are two.
+fn material_of(section: &Section<'_>, medium: &Medium) -> Result<(Literal, Literal, Option<Literal>, Works)> {
+    let (work, works) = works_of(&section.required("work_of_adhesion")?)?;
+    let given = section.optional("e_star").is_some() || section.optional("body").is_some();
+    let modulus = match section.one_of(&["e_star", "body"]) {
+        // The medium has its own.
+        Err(_) if !given && !medium.needs_modulus() => 1.into(),
+        found => modulus_of(found?)?,
+    };
+    let range = section.optional("range_of_adhesion").map(|range| range.positive(SiUnit::Metre)).transpose()?;
+    section.finish()?;
+    Ok((modulus, work, range, works))
+}
+
+/// E* by one of its keys.
+fn modulus_of(given: (usize, Value<'_>)) -> Result<Literal> {
+    Ok(match given {
         (0, e_star) => e_star.positive(SiUnit::Pascal)?,
         (_, list) => {
             let bodies: Vec<Body<Literal>> = list.list()?.iter().map(body).collect::<Result<_>>()?;
@@ -122,13 +159,11 @@ fn material_of(section: &Section<'_>) -> Result<(Literal, Literal, Option<Litera
                 .map_err(|bodies| list.refuse(format!("expected two bodies, got {}", bodies.len())))?;
             material::combined(&bodies).ok_or_else(|| list.refuse("E* has more digits than can be meant"))?
         }
-    };
-    let range = section.optional("range_of_adhesion").map(|range| range.positive(SiUnit::Metre)).transpose()?;
-    section.finish()?;
-    Ok((modulus, work, range))
+    })
 }
 
-fn body(value: &Value<'_>) -> Result<Body<Literal>> {
+/// A table with `e` and `nu`.
+pub(super) fn body(value: &Value<'_>) -> Result<Body<Literal>> {
     let section = value.section()?;
     let youngs_modulus = section.required("e")?.positive(SiUnit::Pascal)?;
     let nu = section.required("nu")?;
@@ -160,9 +195,9 @@ impl Scene {
     fn take_control(&mut self, section: &Section<'_>) -> Result<()> {
         let kind = section.required("kind")?.choice("control", &ControlKind::ALL.map(|kind| (kind.name(), kind)))?;
         self.control = match (kind, section.optional("stiffness")) {
-            (ControlKind::Machine, _) => {
-                Control::Machine { stiffness: section.required("stiffness")?.positive(SiUnit::NewtonPerMetre)? }
-            }
+            (ControlKind::Machine, _) => Control::Machine {
+                stiffness: section.required("stiffness")?.positive(self.medium.unit_of_stiffness())?,
+            },
             (_, Some(stiffness)) => return Err(stiffness.refuse("only a machine has a stiffness: kind = \"machine\"")),
             (ControlKind::Indentation, None) => Control::Indentation,
             (ControlKind::Force, None) => Control::Force,
@@ -171,7 +206,7 @@ impl Scene {
         if let Some(path) = section.optional("path") {
             self.places.read.push(("control.path", path.place()));
             let points = path.list_of(MOST_WAY_POINTS, FEWER_WAY_POINTS)?;
-            self.path = points.iter().map(|point| point.number(kind.unit())).collect::<Result<_>>()?;
+            self.path = points.iter().map(|point| point.number(self.medium.unit_of(kind))).collect::<Result<_>>()?;
             self.given.extend((!self.path.is_empty()).then(|| "[control] path".to_owned()));
         }
         if let Some(start) = section.optional("start") {
@@ -191,7 +226,7 @@ impl Scene {
         self.places.read.push(("output.want", list.place()));
         let kinds = kinds(&list)?;
         let stated = arithmetic(section)?;
-        let mut keys = Keys::read(section, self.control.kind())?;
+        let mut keys = Keys::read(section, self.medium.unit_of(self.control.kind()))?;
         self.given.append(&mut keys.given);
         self.wants = kinds.into_iter().map(|kind| kind.question(&keys)).collect();
         if let Some((range, place)) = keys.range {

@@ -3,15 +3,28 @@
 use std::sync::Arc;
 
 use mdr_core::contact::Transform;
-use mdr_numeric::admissible::{Admissibility, FirstTouch, search_range};
+use mdr_numeric::admissible::{Admissibility, FirstTouch, NOT_SEARCHED, search_range};
 
-use crate::scene::Profile;
+use crate::scene::{Profile, Scene};
 
 /// Facts about a profile with a formula in it.
 struct Known {
     /// Whether g falls nowhere.
     rises: bool,
     touch: FirstTouch,
+}
+
+/// The admissibility of states of a scene with folds at the given contact radii, for the length w/E*. On another medium than a
+/// half-space it is known where g rises, as it does there for every f with a nondecreasing r f'.
+pub(crate) fn of_scene(scene: &Scene, transform: Arc<dyn Transform<f64>>, length: f64, folds: &[f64]) -> Admissibility {
+    if scene.medium.is_half_space() {
+        return admissibility(&scene.profile, transform, length, folds);
+    }
+    if transform.rises() || rises(&scene.profile) {
+        Admissibility::of_rising()
+    } else {
+        Admissibility::unknown(NOT_SEARCHED)
+    }
 }
 
 /// The admissibility of states with folds at the given contact radii, for the length w/E*.

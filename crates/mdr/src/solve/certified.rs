@@ -30,7 +30,7 @@ const PROVED_ROWS: usize = 100;
 pub(crate) struct Certified<'s> {
     pub(crate) scene: &'s Scene,
     pub(crate) digits: u32,
-    counts: &'s Counts,
+    pub(crate) counts: &'s Counts,
     search: Once<Search<'s>>,
     folds: Once<Option<FoldProof>>,
     admissibility: Once<Arc<Admissibility>>,
@@ -56,8 +56,8 @@ impl<'s> Certified<'s> {
                 return Ok(Arc::new(Admissibility::of_rising()));
             }
             let searched = self.search()?.admissibility();
-            let profile = &self.scene.profile;
-            let open = profile.has_formula() && profile.is_enclosed() && searched.basis() != Basis::Bound;
+            let by_integrals = self.scene.profile.has_formula() && self.scene.is_enclosed();
+            let open = by_integrals && searched.basis() != Basis::Bound;
             Ok(if open { proof::isolated(self, &searched)?.map_or(searched, Arc::new) } else { searched })
         });
         found.cloned()
@@ -92,11 +92,10 @@ impl<'s> Certified<'s> {
         &self,
         f: impl FnMut(Precision) -> Result<T>,
     ) -> Result<Option<T::With<Number>>> {
-        let profile = &self.scene.profile;
-        if profile.is_closed() {
+        if self.scene.is_closed() {
             return decide(self.digits, f).map(Some);
         }
-        if !profile.is_enclosed() {
+        if !self.scene.is_enclosed() {
             return Ok(None);
         }
         proof::decided(decide_within(MOST_OF_INTEGRALS, start(self.digits), self.digits, f))
@@ -130,11 +129,10 @@ impl<'s> Certified<'s> {
     /// # Errors
     /// A range out of its domain; errors of the transform. See [`FoldProof::new`].
     pub(crate) fn fold_proof(&self) -> Result<Option<&FoldProof>> {
-        let profile = &self.scene.profile;
         let folds = once(&self.folds, || {
-            Ok(match profile.rows() {
-                None if profile.is_closed() => Some(FoldProof::new(self)?),
-                None if profile.is_enclosed() => {
+            Ok(match self.scene.exact_rows() {
+                None if self.scene.is_closed() => Some(FoldProof::new(self)?),
+                None if self.scene.is_enclosed() => {
                     proof::decided(FoldProof::new(self))?.filter(|folds| folds.complete.proved)
                 }
                 Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?).filter(|folds| folds.complete.proved),

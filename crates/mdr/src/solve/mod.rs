@@ -18,8 +18,10 @@ mod admissible;
 pub(crate) mod certified;
 #[cfg(feature = "mp")]
 pub(crate) mod digits;
+mod graded;
 #[cfg(feature = "mp")]
 pub(crate) mod law_branches;
+mod media;
 pub(crate) mod model;
 #[cfg(feature = "mp")]
 pub(crate) mod out_of_range;
@@ -40,7 +42,7 @@ mod weight;
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use mdr_core::contact;
+use mdr_core::contact::{self, Edge};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
@@ -58,7 +60,7 @@ use crate::outputs::room::Open;
 use crate::run::{Cost, Counts, Run, Stop};
 #[cfg(feature = "mp")]
 use crate::scene::Arithmetic;
-use crate::scene::{Scene, Start, Want};
+use crate::scene::{Medium, Scene, Start, Want};
 use crate::validity;
 
 pub(crate) use admissible::admissibility;
@@ -99,6 +101,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     let validity = validity::of(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver.search().ok()));
+    notes.extend(media::note(scene, &outputs));
     let has_states = scene.has(|kind| !kind.is_of_profile());
     let admissibility = if has_states { solver.admissibility().map(|known| known.basis()) } else { None };
     if run.stop.is_stopped() {
@@ -107,6 +110,8 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     Ok(Answer {
         arithmetic: scene.arithmetic,
         profile: scene.profile.name(),
+        medium: (!scene.medium.is_half_space()).then(|| scene.medium.name()),
+        force_unit: scene.medium.force_unit(),
         control: scene.names_control().then(|| scene.control.kind()),
         notes,
         outputs,
@@ -161,11 +166,32 @@ pub(crate) fn drawn<T>(
     octaves: i64,
     draw: impl FnOnce(&Model<f64>, &SearchedBranches<f64>) -> contact::Result<T>,
 ) -> Result<T> {
+    if let Medium::Periodic { .. } = scene.medium {
+        return Err(scene.places.of("medium").refuse("a drawing of a periodic contact is not available; take `curve`"));
+    }
     let counts = Stop::default().counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
     let branches = states::branches(&model, folds, octaves);
     draw(&model, &branches).map_err(|error| solver.complaint(&Want::Path, error))
+}
+
+/// The branches of an advancing and of a receding edge in f64, `octaves` beyond their folds, for a drawing.
+pub(crate) fn drawn_between<T>(
+    scene: &Scene,
+    octaves: i64,
+    draw: impl FnOnce(&Model<f64>, [&SearchedBranches<f64>; 2]) -> contact::Result<T>,
+) -> Result<T> {
+    let counts = Stop::default().counts();
+    let of = |edge: Edge| {
+        let scene = scene.at(edge);
+        let solver = Solver::new(&scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+        let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
+        Ok::<_, Error>((states::branches(&model, folds, octaves), model))
+    };
+    let [(advancing, _), (receding, model)] = [of(Edge::Advancing)?, of(Edge::Receding)?];
+    let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+    draw(&model, [&advancing, &receding]).map_err(|error| solver.complaint(&Want::Path, error))
 }
 
 /// A scene in the arithmetic that it asks for.
@@ -193,15 +219,39 @@ impl<'s> Solver<'s> {
         Ok(Solver { scene, counts, route })
     }
 
-    #[cfg(not(feature = "mp"))]
+    /// An output, without depths where the medium has none.
     fn output(&self, want: &Want) -> contact::Result<Output> {
+        let output = self.output_of(want)?;
+        Ok(match self.scene.medium {
+            Medium::Plane { reference: None } => media::without_depth(output),
+            _ => output,
+        })
+    }
+
+    /// The output; with two works of adhesion made of those at each, unless it follows the path between them.
+    ///
+    /// # Errors
+    /// Errors of the transform, of the quadratures and of the proofs; a decision that no precision makes.
+    fn output_of(&self, want: &Want) -> contact::Result<Output> {
+        if !self.scene.has_two_works() || want.kind().is_of_profile() || want.kind().moves() {
+            return self.output_of_one(want);
+        }
+        let of = |edge: Edge| {
+            let scene = self.scene.at(edge);
+            Solver::new(&scene, self.counts)?.output_of_one(want)
+        };
+        want.room().of_edges([of(Edge::Advancing)?, of(Edge::Receding)?]).ok_or_else(unanswered)
+    }
+
+    #[cfg(not(feature = "mp"))]
+    fn output_of_one(&self, want: &Want) -> contact::Result<Output> {
         let Route::Search(search) = &self.route;
         Provider::Search(search).output(&*want.room())?.ok_or_else(unanswered)
     }
 
     /// The output of the first provider that has it, in the arithmetic of the scene.
     #[cfg(feature = "mp")]
-    fn output(&self, want: &Want) -> contact::Result<Output> {
+    fn output_of_one(&self, want: &Want) -> contact::Result<Output> {
         let room = want.room();
         let law = if want.kind().is_of_profile() { None } else { PowerLaw::of(self.scene)? };
         let beyond;

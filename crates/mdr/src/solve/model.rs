@@ -5,23 +5,27 @@ use std::sync::Arc;
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Control, CountingTransform, Error, ExpressionError, Material, Quantity, Result, Transform};
+use mdr_core::contact::{self, Control, CountingTransform, Edge, Error, ExpressionError, Quantity, Result, Transform};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Dual, Interval, Precision};
 use mdr_numeric::contact::Contact;
+use mdr_numeric::medium::{Adhesion, Medium};
+use mdr_numeric::path;
 use mdr_numeric::transform::Quadrature;
 #[cfg(feature = "mp")]
 use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
 
+use super::graded::GradedReal;
+use super::media;
 use super::weight::weight;
 use crate::run::Counts;
-use crate::scene::{Formula, Profile, Scene};
+use crate::scene::{Formula, Profile, Scene, Start};
 #[cfg(feature = "mp")]
 use crate::scene::{double, exactly};
 
 /// An arithmetic in which a scene can be computed.
-pub(crate) trait SceneReal: Struve + Kappa {
+pub(crate) trait SceneReal: Struve + Kappa + GradedReal {
     /// Its place among the [`ARITHMETICS`](crate::run::ARITHMETICS).
     const INDEX: usize;
 
@@ -95,19 +99,29 @@ impl<R: SceneReal> Model<R> {
     /// A parameter of the profile or the material that is out of its domain.
     pub(crate) fn new(scene: &Scene, ctx: R::Ctx, counts: &Counts) -> Result<Self> {
         let number = |literal: &Literal| R::from_literal(ctx, literal);
-        let material = Material::new(number(&scene.effective_modulus), number(&scene.work_of_adhesion))?;
+        let medium = media::medium(scene, ctx)?;
+        let adhesion = adhesion(scene, |literal| Ok(number(literal)))?;
         let control =
             scene.control.try_map(|stiffness| Error::require_positive(Quantity::Stiffness, number(stiffness)))?;
-        Self::with(scene, ctx, material, control, counts)
+        Self::with(scene, ctx, (medium, adhesion), control, counts)
     }
 
-    fn with(scene: &Scene, ctx: R::Ctx, material: Material<R>, control: Control<R>, counts: &Counts) -> Result<Self> {
-        let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
-        let formulas = &|formula: &Formula| R::of_formula(formula, ctx);
-        let transform = by_formulas(&scene.profile, ctx, number, R::accepted(scene, ctx).as_ref(), formulas)?;
+    /// The contact at the work of adhesion of one edge.
+    pub(crate) fn at(&self, edge: Edge) -> Self {
+        Model { ctx: self.ctx, contact: self.contact.at(edge) }
+    }
+
+    fn with(
+        scene: &Scene,
+        ctx: R::Ctx,
+        (medium, adhesion): (Medium<R>, Adhesion<R>),
+        control: Control<R>,
+        counts: &Counts,
+    ) -> Result<Self> {
+        let transform = media::transform(scene, ctx)?;
         let transform = CountingTransform::new(transform, &counts[R::INDEX]);
         let transform = Arc::new(transform.weighing(weight(&scene.profile, R::INDEX, R::from_int(ctx, 1).precision())));
-        Ok(Model { ctx, contact: Contact::sharing(transform, (&material).into(), (&material).into(), control) })
+        Ok(Model { ctx, contact: Contact::sharing(transform, medium, adhesion, control) })
     }
 
     pub(crate) fn number(&self, literal: &Literal) -> R {
@@ -118,6 +132,41 @@ impl<R: SceneReal> Model<R> {
     #[cfg(feature = "mp")]
     pub(crate) fn double(&self, value: f64) -> R {
         R::from_f64(self.ctx, value)
+    }
+
+    /// The contact radius or half-width of a contact of this size.
+    pub(crate) fn contact_radius(&self, size: &R) -> R {
+        self.contact.medium().contact_radius(size)
+    }
+
+    /// The size of a contact with a contact radius of the scene.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for half of a period and more.
+    pub(crate) fn size(&self, contact_radius: &Literal) -> Result<R> {
+        let a = self.number(contact_radius);
+        match self.contact.medium() {
+            Medium::Periodic { wavelength, .. } if !(a.clone().times(2) < *wavelength) => {
+                Err(Error::domain(Quantity::ContactRadius, &a, "smaller than half of the wavelength"))
+            }
+            medium => Ok(medium.size(&a)),
+        }
+    }
+
+    /// The start of a path, by its size.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for half of a period and more.
+    pub(crate) fn start(&self, start: &Start) -> Result<path::Start<R>> {
+        Ok(match start {
+            Start::Nearest(radius) => path::Start::Nearest(self.size(radius)?),
+            start => start.map(|radius| self.number(radius)),
+        })
+    }
+
+    /// A state with its contact radius for its size.
+    pub(crate) fn shown(&self, state: contact::Equilibrium<R>) -> contact::Equilibrium<R> {
+        contact::Equilibrium { contact_radius: self.contact_radius(&state.contact_radius), ..state }
     }
 
     pub(crate) fn transform(&self) -> &dyn Transform<R> {
@@ -147,19 +196,31 @@ impl Model<f64> {
             let requirement = "within the range of f64, where the search for states begins";
             return Err(Error::Domain { quantity, value: number.to_string(), requirement });
         }
-        let material = Material::new(1.0, over_modulus(scene, Quantity::WorkOfAdhesion, &scene.work_of_adhesion)?)?;
+        let medium = media::medium_of(scene, (), Some(1.0))?;
+        let adhesion = adhesion(scene, |literal| over_modulus(scene, Quantity::WorkOfAdhesion, literal))?;
         let control = scene.control.try_map(|stiffness| {
             let ratio = over_modulus(scene, Quantity::Stiffness, stiffness)?;
             Error::require_positive(Quantity::Stiffness, ratio)
         })?;
-        Self::with(scene, (), material, control, counts)
+        Self::with(scene, (), (medium, adhesion), control, counts)
+    }
+}
+
+/// The adhesion of a scene: that of an edge, or of both, of which the receding one is considered.
+fn adhesion<R: SceneReal>(scene: &Scene, number: impl Fn(&Literal) -> Result<R>) -> Result<Adhesion<R>> {
+    match &scene.works {
+        None => Adhesion::new(number(&scene.work_of_adhesion)?),
+        Some(works) => {
+            let both = Adhesion::hysteretic(number(&works[0])?, number(&works[1])?)?;
+            Ok(both.at(scene.edge.unwrap_or(Edge::Receding)))
+        }
     }
 }
 
 /// An input over E*, in f64.
 #[cfg(feature = "mp")]
 fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f64> {
-    let modulus = &scene.effective_modulus;
+    let modulus = &scene.scale_of_forces();
     let ratio = exactly(&(input.to_rational() / modulus.to_rational())).as_ref().and_then(double);
     ratio.ok_or_else(|| Error::Domain {
         quantity,
@@ -176,7 +237,7 @@ fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f6
 ///
 /// # Errors
 /// A parameter out of the domain of the profile.
-fn transform<R: Struve + Kappa>(
+pub(super) fn transform<R: Struve + Kappa>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
@@ -198,7 +259,7 @@ fn unnamed(error: ExpressionError) -> Error {
 type Formulas<'a, R> = &'a dyn Fn(&Formula) -> Option<Result<Box<dyn Transform<R>>>>;
 
 /// The transformed profile like [`transform`], its formulas in the way of the arithmetic, where it has one.
-fn by_formulas<R: Struve + Kappa>(
+pub(super) fn by_formulas<R: Struve + Kappa>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
@@ -226,6 +287,13 @@ fn by_formulas<R: Struve + Kappa>(
             })
         }
         Profile::Table(measured) => Box::new(measured.table.profile::<R>(ctx)?),
+        Profile::Wave(_) => {
+            return Err(Error::Domain {
+                quantity: Quantity::Parameter("the profile"),
+                value: "a wave".to_owned(),
+                requirement: "one that is not periodic: a wave needs [medium] kind = \"periodic\"",
+            });
+        }
     })
 }
 

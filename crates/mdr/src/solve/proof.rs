@@ -14,6 +14,7 @@ use super::certified::Certified;
 use super::model::Model;
 use super::sample;
 use crate::answer::{Completeness, Number, Value};
+use crate::scene::Medium;
 
 /// Bits in which folds are isolated; they are sharpened afterwards.
 const ISOLATION: u32 = 64;
@@ -61,8 +62,10 @@ impl FoldProof {
         if bits > ISOLATION {
             enclosed = Enclosed::new(certified, precision)?;
         }
-        let [lower, upper] = range.each_ref().map(|end| Interval::from_literal(precision, end));
-        let budget = if certified.scene.profile.is_closed() { BUDGET } else { BUDGET_OF_ROWS };
+        let is_given = certified.scene.range.is_some();
+        let size = |end| if is_given { enclosed.value.size(end) } else { Ok(Interval::from_literal(precision, end)) };
+        let [lower, upper] = [size(&range[0])?, size(&range[1])?];
+        let budget = if certified.scene.is_closed() { BUDGET } else { BUDGET_OF_ROWS };
         let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget)?;
         let [from, to] = range;
         let to = match enclosed.value.contact().vertical_edge() {
@@ -70,7 +73,13 @@ impl FoldProof {
             _ if proved.range.1 < *upper.lower() => proved.range.1.to_string_radix_round(10, Some(10), Round::Down),
             _ => to.to_string(),
         };
-        let (from, to) = (Some(from.to_string()), Some(to));
+        let (from, to) = match certified.scene.pressed_into() {
+            Medium::Periodic { .. } => {
+                let radius = |size| Number::Double(enclosed.value.contact_radius(size).approx()).to_string();
+                (Some(radius(&lower)), Some(radius(&upper)))
+            }
+            _ => (Some(from.to_string()), Some(to)),
+        };
         let complete = Completeness { proved: proved.is_complete(), from, to, why: reason(&proved.undecided) };
         Ok(FoldProof { proved, complete })
     }

@@ -21,7 +21,7 @@ const CHANGE: f64 = 0.02;
 /// How the pull-off force changes with the length of smoothing; for rows as they are, only where their roughness matters.
 pub(super) fn note(scene: &Scene, search: Option<&Search<'_>>) -> Option<String> {
     let tables = scene.profile.tables();
-    if tables.is_empty() || !scene.has(|kind| !kind.is_of_profile()) {
+    if tables.is_empty() || !scene.medium.is_half_space() || !scene.has(|kind| !kind.is_of_profile()) {
         return None;
     }
     if let Some(length) = tables.iter().find_map(|table| table.length()) {

@@ -43,7 +43,7 @@ pub(crate) fn radii(model: &Model<f64>, folds: &Folds<f64>) -> Result<Vec<Litera
     let (lower, upper) = (at(folds.folds.first()) / MARGIN, at(folds.folds.last()) * MARGIN);
     let upper = upper.min(outer.map_or(f64::MAX, |outer| outer * (1.0 - RIM)));
     let step = (upper / lower).ln() / (POINTS - 1) as f64;
-    (0..POINTS).map(|i| decimal(lower * (step * i as f64).exp(), 4)).collect()
+    (0..POINTS).map(|i| decimal(model.contact_radius(&(lower * (step * i as f64).exp())), 4)).collect()
 }
 
 #[cfg(feature = "mp")]

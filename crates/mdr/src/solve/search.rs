@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Fold, Result, Status};
+use mdr_core::contact::{Edge, Fold, Result, Status};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::folds::{self, Folds, OutOfRangeFold, SearchQuality};
 
@@ -18,7 +18,7 @@ use crate::scene::Scene;
 
 /// The contact in f64; its folds are searched when something needs them, and once.
 pub(crate) struct Search<'s> {
-    scene: &'s Scene,
+    pub(crate) scene: &'s Scene,
     pub(crate) model: Model<f64>,
     folds: Once<Folds<f64>>,
     admissibility: OnceCell<Arc<Admissibility>>,
@@ -46,6 +46,11 @@ impl<'s> Search<'s> {
         Search { scene, model, folds: OnceCell::new(), admissibility: OnceCell::new(), radii_suffice }
     }
 
+    /// The contact at the work of adhesion of one edge; `scene` is that of the edge.
+    pub(crate) fn at<'t>(&self, scene: &'t Scene, edge: Edge) -> Search<'t> {
+        Search::with(scene, self.model.at(edge), self.radii_suffice)
+    }
+
     /// The admissible states: searched when they are needed, and once, around the folds that were found.
     pub(crate) fn admissibility(&self) -> Arc<Admissibility> {
         let search = || {
@@ -55,7 +60,7 @@ impl<'s> Search<'s> {
                 folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
             let length = self.model.contact().material_length();
             let transform = Arc::clone(self.model.contact().shared_transform());
-            Arc::new(admissible::admissibility(&self.scene.profile, transform, length, &radii))
+            Arc::new(admissible::of_scene(self.scene, transform, length, &radii))
         };
         Arc::clone(self.admissibility.get_or_init(search))
     }

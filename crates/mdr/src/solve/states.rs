@@ -109,7 +109,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     /// The equilibrium in which the path starts; `None` if it cannot start, or if the surfaces are apart.
     fn first(&self, first: &Literal) -> Result<Option<contact::Equilibrium<R>>> {
         let value = self.model.number(first);
-        match Path::first(&self.branches, &self.scene.start.map(|radius| self.model.number(radius)), &value) {
+        match Path::first(&self.branches, &self.model.start(&self.scene.start)?, &value) {
             Ok(ContactState::Contact(state)) => Ok(Some(self.with_value(state, &value))),
             Ok(_) | Err(Error::NoEquilibrium { .. }) => Ok(None),
             Err(error) => Err(error),

@@ -38,7 +38,7 @@ impl Costs {
     fn of_profile(&self, profile: &Profile) -> u64 {
         match profile {
             Profile::Shape(Shape::WavyParaboloid { .. }) => 4 * self.form,
-            Profile::Shape(_) => self.form,
+            Profile::Shape(_) | Profile::Wave(_) => self.form,
             Profile::Sum(terms) => terms.iter().map(|term| self.of_profile(term)).sum(),
             Profile::Formula(formula) => self.operation * formula.expression.operations(),
             Profile::Table(_) => self.form + self.row * profile.rows().unwrap_or(1) as u64,

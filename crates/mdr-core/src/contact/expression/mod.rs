@@ -250,7 +250,7 @@ impl Expression {
 
 impl<C> Node<C> {
     fn operations(&self) -> u64 {
-        /// Of a function.
+        /// The cost of a function.
         const FUNCTION: u64 = 20;
         match self {
             Node::Variable | Node::Constant(_) => 1,

@@ -25,7 +25,7 @@ pub(super) struct Sign {
     pub(super) character: &'static str,
     /// The character in a document of TeX.
     pub(super) tex: &'static str,
-    /// Of TeX, in a formula.
+    /// The command of TeX in a formula.
     command: &'static str,
     /// The replacement of the command in a line of text.
     text: &'static str,

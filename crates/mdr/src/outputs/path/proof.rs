@@ -19,11 +19,13 @@ use crate::solve::model::Model;
 use crate::solve::proof::{Enclosed, FoldProof, decided, exactly};
 
 /// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
-const ENOUGH: u32 = 16;
+pub(super) const ENOUGH: u32 = 16;
 
 /// A path that was followed over enclosures.
 pub(super) struct Followed {
     path: Path<Interval>,
+    /// The path with contact radii for sizes.
+    shown: Path<Interval>,
     folds: Vec<contact::Fold<Interval>>,
     control: Control<Interval>,
     bits: u32,
@@ -56,7 +58,8 @@ impl Followed {
             error => error,
         })?;
         let folds = branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect();
-        Ok(Followed { path, folds, control: control.clone(), bits: precision.bits() })
+        let shown = events::shown(&path, enclosed.value.contact().medium());
+        Ok(Followed { path, shown, folds, control: control.clone(), bits: precision.bits() })
     }
 
     /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is
@@ -92,7 +95,7 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
     let mut last = None;
     let items = decide_from(precision, certified.digits, |precision| {
         let followed = last.insert(Followed::new(certified, folds, precision)?);
-        let events = events::events(&followed.control, &followed.path, &*certified.admissibility()?);
+        let events = events::events(&followed.control, &followed.shown, &*certified.admissibility()?);
         let mut events = events.convert(Enclosure::from);
         let mut way = scene.path.iter();
         for (record, event) in events.iter_mut().zip(&followed.path.events) {
@@ -100,6 +103,9 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
                 && let Some(literal) = way.next()
             {
                 set_exact(record, event, &scene.control, literal);
+            }
+            if event.fold.is_some() && event.before.contact().is_some() && scene.breaks_at_zero_depth() {
+                record.indentation = Some(exactly(&0.into()));
             }
         }
         Ok(events)
@@ -111,7 +117,7 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
 }
 
 /// The exact value of the controlled quantity at a way point. Surfaces apart carry no load, whatever is applied.
-fn set_exact(
+pub(super) fn set_exact(
     record: &mut PathEvent<Enclosure>,
     event: &Event<Interval>,
     control: &Control<Literal>,

@@ -1,0 +1,267 @@
+//! The transform of any profile on other media than the half-space, by quadrature.
+//!
+//! With r = x sinθ and D = r d/dr, partial integration leaves no singularity at the tip (f(0) = 0). On a half-space graded as
+//! zᵏ, with J[φ] = ∫₀^{π/2} sinθ cosᵏθ φ(x sinθ) dθ,
+//!
+//! * g(x) = J[(1 + k + D)f], x g'(x) = J[D(1 + k + D)f], and the mean of g weighted with S' is (1 + k)J[f];
+//! * on a Winkler foundation, k = 1, g = f.
+//!
+//! In v = cos^(1+k)θ the weight is 1/(1 + k). In line contact N = ∫₀^{π/2} Df dθ and bN' = ∫₀^{π/2} D²f dθ.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use mdr_core::calculus::quadrature::{pieces, tanh_sinh_near_ends};
+use mdr_core::calculus::{Estimate, Tolerance, roundoff_tolerance};
+use mdr_core::contact::{Error, Profile, Quantity, Result, Transform};
+use mdr_core::number::{Dual, Special};
+
+use super::integrand::{kink_jump, second_order};
+
+/// A profile given as a function, transformed for another medium.
+///
+/// ```
+/// use mdr_core::contact::{Shape, Transform};
+/// use mdr_numeric::{profiles::Heights, transform::Weighted};
+/// let ball = || Heights::new([Shape::Paraboloid { radius: 1.0 }]);
+/// let graded = Weighted::graded(ball()?, 0.3);
+/// assert!((graded.g(&0.5)? / (0.25 / 1.3) - 1.0).abs() < 1e-13); // x²/(R(1 + k))
+/// assert_eq!(Weighted::winkler(ball()?, 1.0).g(&0.5)?, 0.125);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Weighted<R, P> {
+    profile: P,
+    weight: Weight,
+    /// 1 + k; 1 for a line contact.
+    order: R,
+    kinks: Vec<R>,
+    accepted: Option<R>,
+    heights: Arc<AtomicU64>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Weight {
+    Graded,
+    Winkler,
+    Line,
+}
+
+/// The integrands of J.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    /// f.
+    Height,
+    /// Df.
+    Rise,
+    /// (1 + k + D)f; Df in line contact.
+    Transform,
+    /// D of it.
+    Slope,
+}
+
+impl<R: Special, P: Profile<R>> Weighted<R, P> {
+    fn new(profile: P, weight: Weight, order: R) -> Self {
+        let kinks = profile.kinks();
+        Weighted { profile, weight, order, kinks, accepted: None, heights: Arc::default() }
+    }
+
+    /// On a half-space graded as zᵏ, with k within (−1, 1).
+    pub fn graded(profile: P, k: R) -> Self {
+        let order = k.lit(1) + k;
+        Self::new(profile, Weight::Graded, order)
+    }
+
+    /// On a Winkler foundation; `like` has the arithmetic.
+    pub fn winkler(profile: P, like: R) -> Self {
+        Self::new(profile, Weight::Winkler, like.lit(2))
+    }
+
+    /// In line contact, as the N of a [`LineLoad`](super::LineLoad); `like` has the arithmetic.
+    pub fn line(profile: P, like: R) -> Self {
+        Self::new(profile, Weight::Line, like.lit(1))
+    }
+
+    /// Accepts a value that misses its tolerance if its estimated relative error is below `error`.
+    #[must_use]
+    pub fn accepting(self, error: R) -> Self {
+        Weighted { accepted: Some(error), ..self }
+    }
+
+    fn check(&self, x: &R) -> Result<()> {
+        if !(*x > x.lit(0) && x.is_finite()) {
+            return Err(Error::domain(Quantity::Radius, x, "positive and finite"));
+        }
+        if self.profile.kinks_known_to().is_some_and(|known| *x > known) {
+            let quantity = Quantity::TransformedProfile;
+            return Err(Error::NoConvergence { quantity, evaluations: 0, error: 1.0 });
+        }
+        match self.profile.outer_radius() {
+            Some(outer) if *x > outer || (*x == outer && !self.profile.vertical_edge()) => {
+                Err(Error::domain(Quantity::Radius, x, "below the outer radius of the profile"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// φ at r.
+    fn at(&self, part: Part, r: &R) -> R {
+        let logarithmic = || Dual { value: r.clone(), slope: r.clone() };
+        match (part, self.weight) {
+            (Part::Height, _) => self.profile.height(r),
+            (Part::Rise, _) | (Part::Transform, Weight::Line) => self.profile.height(&logarithmic()).slope,
+            (Part::Transform, _) => {
+                let f = self.profile.height(&logarithmic());
+                f.value * &self.order + f.slope
+            }
+            (Part::Slope, Weight::Line) => second_order(&self.profile, r).slope.slope,
+            (Part::Slope, _) => {
+                let rise = second_order(&self.profile, r).slope;
+                rise.value * &self.order + rise.slope
+            }
+        }
+    }
+
+    /// sinθ at v, from the distances of v from 0 and 1.
+    fn sine(&self, from_lower: &R, from_upper: &R) -> R {
+        let log = if from_lower.midpoint() < from_lower.ratio(1, 2) {
+            from_lower.ln()
+        } else {
+            (-from_upper.clone()).ln_1p()
+        };
+        (-(log.times(2) / &self.order).exp_m1()).sqrt()
+    }
+
+    /// J[φ], or the integral over θ of a line contact.
+    fn integral(&self, part: Part, x: &R, needed: &R) -> Result<Estimate<R>> {
+        self.check(x)?;
+        let (zero, one) = (x.lit(0), x.lit(1));
+        let inner: Vec<&R> = self.kinks.iter().filter(|kink| *kink < x).collect();
+        let breaks: Vec<R> = inner.iter().map(|kink| self.position(kink, x)).collect();
+        let goal = roundoff_tolerance(x).times(4);
+        let tolerance = Tolerance::new(&goal).or_noise_below(x.unit_roundoff().sqrt()).or_error_below(needed);
+        let tolerance = match &self.accepted {
+            Some(accepted) => tolerance.or_finest_below(accepted.clone()),
+            None => tolerance,
+        };
+        let mut count = 0;
+        let estimate = pieces(&zero, &one, &breaks, |from, to| {
+            tanh_sinh_near_ends(from, to, tolerance.clone(), |node| {
+                count += 1;
+                let from_lower = if *from == zero { node.from_lower.clone() } else { node.x.clone() };
+                let from_upper = if *to == one { node.from_upper.clone() } else { one.clone() - &node.x };
+                let sine = self.sine(&from_lower, &from_upper);
+                // Closer to the tip powers of r leave the range, and contribute nothing.
+                if !(sine.clone() > sine.unit_roundoff().square()) {
+                    return Ok(zero.clone());
+                }
+                let height = self.at(part, &(sine.clone() * x));
+                Ok(if self.weight == Weight::Line { height / sine } else { height })
+            })
+        });
+        self.heights.fetch_add(count, Ordering::Relaxed);
+        let mut estimate = estimate.map_err(|error| match error {
+            Error::NoConvergence { evaluations, error, .. } => {
+                Error::NoConvergence { quantity: Quantity::TransformedProfile, evaluations, error }
+            }
+            error => error,
+        })?;
+        if self.weight != Weight::Line {
+            estimate = estimate.scaled(&self.order.clone().inv());
+        }
+        if part == Part::Slope {
+            for kink in inner {
+                let jump = kink_jump(&self.profile, kink);
+                let factor = self.share_of_jump(kink, x);
+                estimate.value += &(factor.clone() * jump.value);
+                estimate.error += &(factor * jump.error);
+            }
+        }
+        if !estimate.value.is_finite() {
+            let log10 = estimate.value.approx().abs().log10();
+            return Err(Error::OutOfRange { quantity: Quantity::TransformedProfile, log10 });
+        }
+        Ok(estimate)
+    }
+
+    /// v at a kink.
+    fn position(&self, kink: &R, x: &R) -> R {
+        cosine(kink, x).pow(&self.order)
+    }
+
+    /// The part of a jump of Df at a kink in x g': sin²θ cos^(k−1)θ, and tanθ in line contact.
+    fn share_of_jump(&self, kink: &R, x: &R) -> R {
+        let (sine, cosine) = (kink.clone() / x, cosine(kink, x));
+        match self.weight {
+            Weight::Line => sine / cosine,
+            _ => sine.square() * cosine.pow(&(self.order.clone() - cosine.lit(2))),
+        }
+    }
+
+    fn value(&self, part: Part, x: &R) -> Result<R> {
+        Ok(self.integral(part, x, &x.lit(0))?.value)
+    }
+}
+
+/// cosθ at sinθ = b/x.
+fn cosine<R: Special>(kink: &R, x: &R) -> R {
+    ((x.clone() - kink) / x * ((x.clone() + kink) / x)).sqrt()
+}
+
+impl<R: Special, P: Profile<R>> Transform<R> for Weighted<R, P> {
+    fn g(&self, x: &R) -> Result<R> {
+        self.g_within(x, &x.lit(0))
+    }
+
+    fn slope(&self, x: &R) -> Result<R> {
+        if self.weight == Weight::Winkler {
+            self.check(x)?;
+            return Ok(self.profile.height(&Dual::variable(x.clone())).slope);
+        }
+        Ok(self.value(Part::Slope, x)? / x)
+    }
+
+    /// x times the mean.
+    fn integral(&self, x: &R) -> Result<R> {
+        Ok(self.mean(x)? * x)
+    }
+
+    fn mean(&self, x: &R) -> Result<R> {
+        self.mean_within(x, &x.lit(0))
+    }
+
+    fn g_within(&self, x: &R, needed: &R) -> Result<R> {
+        if self.weight == Weight::Winkler {
+            self.check(x)?;
+            return Ok(self.profile.height(x));
+        }
+        Ok(self.integral(Part::Transform, x, needed)?.value)
+    }
+
+    fn mean_within(&self, x: &R, needed: &R) -> Result<R> {
+        match self.weight {
+            Weight::Line => Ok(x.lit(0)),
+            _ => Ok(self.integral(Part::Height, x, needed)?.value * &self.order),
+        }
+    }
+
+    fn above_mean(&self, x: &R) -> Result<R> {
+        self.value(Part::Rise, x)
+    }
+
+    fn outer_radius(&self) -> Option<R> {
+        self.profile.outer_radius()
+    }
+
+    fn vertical_edge(&self) -> bool {
+        self.profile.vertical_edge()
+    }
+
+    fn kinks(&self) -> Vec<R> {
+        self.kinks.clone()
+    }
+
+    fn work(&self) -> u64 {
+        self.heights.load(Ordering::Relaxed)
+    }
+}

@@ -1,0 +1,359 @@
+//! Scenes on other media than the half-space, against values that were computed elsewhere to thirty digits.
+
+#![cfg(feature = "mp")]
+
+use mdr::answer::Fold;
+use mdr::no_files;
+use mdr::prelude::*;
+
+/// A scene of a medium, with E* where it needs one, and w = 1/100 unless the material says more.
+fn scene(medium: &str, profile: &str, control: &str, want: &str) -> String {
+    let modulus = if medium.contains("plane") || medium.contains("periodic") { "e_star = 1" } else { "" };
+    let work = if profile.contains("wave") { ALPHA_3 } else { "1/100" };
+    format!(
+        "[medium]\n{medium}\n[material]\n{modulus}\nwork_of_adhesion = \"{work}\"\n[profile]\n{profile}\n\
+         [control]\n{control}\n[output]\n{want}\n"
+    )
+}
+
+/// π²·0.09/2, which with E* = λ = h₀ = 1 is α = 0.3.
+const ALPHA_3: &str = "0.44413219804902113784755209499442680108911647332584";
+
+const SQUARE: &str = "kind = \"power\"\nn = 2\nc = 1";
+const WAVE: &str = "kind = \"wave\"\namplitude = 1";
+const PERIODIC: &str = "kind = \"periodic\"\nwavelength = 1";
+const LOAD: &str = "kind = \"force\"";
+const GRIPS: &str = "kind = \"indentation\"";
+
+fn solve(text: &str) -> Answer {
+    Scene::from_toml(text, "scene.toml", &no_files)
+        .and_then(|scene| scene.solve())
+        .unwrap_or_else(|why| panic!("{why}\n{text}"))
+}
+
+fn complaint(text: &str) -> String {
+    let answer = Scene::from_toml(text, "scene.toml", &no_files).and_then(|scene| scene.solve());
+    answer.expect_err("a bad scene").to_string()
+}
+
+fn folds(medium: &str, profile: &str, control: &str) -> Vec<Fold> {
+    let answer = solve(&scene(medium, profile, control, "want = [\"folds\"]\ndigits = 20"));
+    let list = answer.folds().expect("wanted");
+    assert_eq!(list.promise, Promise::Certified, "{medium} {profile}");
+    assert!(list.complete.as_ref().is_some_and(|complete| complete.proved), "{medium} {profile}");
+    list.items.clone()
+}
+
+/// The digits of a value, without its point, sign and leading zeros.
+fn digits(value: &Value) -> String {
+    let text = value.number().unwrap_or_else(|| panic!("{value:?}")).to_string();
+    text.trim_start_matches(['-', '0', '.']).replace('.', "")
+}
+
+/// Whether a value in twenty digits is the rounded expected one, which has more.
+fn assert_digits(value: &Value, expected: &str) {
+    let found = value.number().unwrap_or_else(|| panic!("{value:?}")).to_string();
+    assert_eq!(found.starts_with('-'), expected.starts_with('-'), "{found} {expected}");
+    let long = expected.trim_start_matches(['-', '0', '.']).replace('.', "");
+    let (number, reference) = (digits(value), &long[..20]);
+    let tail: u32 = long[20..21].parse().expect("a digit");
+    let rounded = reference.parse::<u128>().expect("digits") + u128::from(tail >= 5);
+    assert_eq!(number.parse::<u128>().expect("digits"), rounded, "{found} {expected}");
+}
+
+/// The critical states of MEDIA for n = 2, k = 0.3, c = C = 1, w = 1/100.
+#[test]
+fn graded_half_space() {
+    let medium = "kind = \"graded\"\nexponent = \"0.3\"\ncoefficient = 1";
+    let grips = &folds(medium, SQUARE, GRIPS)[0];
+    assert_digits(&grips.contact_radius, "0.115787430901046546678802709324");
+    assert_digits(&grips.indentation, "-0.0972356180448203840687689439159");
+    assert_digits(&grips.force, "-0.00982937701464079248094751300981");
+    let load = &folds(medium, SQUARE, LOAD)[0];
+    assert_digits(&load.contact_radius, "0.296341357698877810555154994338");
+    assert_digits(&load.indentation, "-0.0286586201389137402805809379837");
+    assert_digits(&load.force, "-0.0259181393921157942173168079121");
+}
+
+/// A ball breaks at −(3 + k)/2·πwR on any graded medium, here −2πwR at the depth 0; under fixed grips it does not jump.
+#[test]
+fn winkler_foundation() {
+    let medium = "kind = \"winkler\"\nmodulus = 7";
+    let ball = "kind = \"paraboloid\"\nradius = 2";
+    let load = &folds(medium, ball, LOAD)[0];
+    assert_digits(&load.force, "-0.12566370614359172953850573533");
+    assert_eq!(load.indentation.to_f64(), Some(0.0));
+    assert!(folds(medium, ball, GRIPS).is_empty());
+}
+
+/// The springs of a Winkler foundation hold to d = −√(2w/K_w): a loop loses the energy of the jump into contact at d = 0, where
+/// g(a) = Δl, wA − πK_w∫x g² dx.
+#[test]
+fn a_loop_on_a_winkler_foundation() {
+    let way = "kind = \"indentation\"\npath = [\"-1\", \"0.1\", \"-1\"]\nstart = \"detached\"";
+    let text = scene(
+        "kind = \"winkler\"\nmodulus = 2",
+        "kind = \"paraboloid\"\nradius = 1",
+        way,
+        "want = [\"path\"]\ndigits = 20",
+    );
+    let answer = solve(&text);
+    let path = answer.path().expect("wanted");
+    let kinds: Vec<EventKind> = path.events.items.iter().map(|event| event.event).collect();
+    use EventKind::{Detached, End, JumpIn, Start, WayPoint};
+    assert_eq!(kinds, [Start, JumpIn, WayPoint, Detached, End]);
+    let detached = &path.events.items[3];
+    // Δl = √(2·0.01/2) = 1/10.
+    assert_eq!(detached.indentation.as_ref().and_then(Value::to_f64), Some(-0.1));
+    let balance = path.balance.as_ref().expect("finite");
+    // With a² = 2RΔl: πK_w∫x(x²/2)² dx = πK_w a⁶/24.
+    let (k, w, l) = (2.0, 0.01, 0.1_f64);
+    let square = 2.0 * l;
+    let lost = std::f64::consts::PI * (w * square - k * square.powi(3) / 24.0);
+    let found = balance.dissipated.to_f64().expect("a number");
+    assert!((found / lost - 1.0).abs() < 1e-14, "{found} {lost}");
+}
+
+/// (E* = 1, w = 1/100, C = 1; b, F) of MEDIA.
+#[test]
+fn line_contact() {
+    let rows = [
+        ("kind = \"power\"\nn = 1\nc = 1", "0.0157079632679489661923132169164", "-0.0157079632679489661923132169164"),
+        (SQUARE, "0.11675443249407359924094248537", "-0.0642373898770883625007337513968"),
+        (
+            "kind = \"power\"\nn = \"1/4\"\nc = 1",
+            "0.205379013679104853025403034976",
+            "0.113597288750726217274819194434",
+        ),
+        ("kind = \"paraboloid\"\nradius = 1", "0.185336108963042562922120435725", "-0.0809340396964474671233119722858"),
+    ];
+    for (profile, radius, force) in rows {
+        let fold = &folds("kind = \"plane\"", profile, LOAD)[0];
+        assert_digits(&fold.contact_radius, radius);
+        assert_digits(&fold.force, force);
+        assert!(fold.indentation.number().is_none() && fold.indentation.status() == Status::Ok);
+    }
+    let answer = solve(&scene("kind = \"plane\"", SQUARE, LOAD, "want = [\"folds\"]"));
+    assert_eq!(answer.force_unit, "N/m");
+    assert_eq!(answer.title(&answer.outputs[0], "force"), ("force", "N/m"));
+    let why = complaint(&scene("kind = \"plane\"", SQUARE, GRIPS, "want = [\"folds\"]"));
+    assert!(why.contains("reference") && why.starts_with("scene.toml:"), "{why}");
+}
+
+/// Against a reference the fold of δ_L is where its numerical derivative vanishes, δ_L and F from their formulas for a cylinder.
+#[test]
+fn line_contact_against_a_reference() {
+    let medium = "kind = \"plane\"\nreference = 10";
+    let cylinder = "kind = \"paraboloid\"\nradius = 1";
+    let fold = &folds(medium, cylinder, GRIPS)[0];
+    let pi = std::f64::consts::PI;
+    // δ_L = (2/π)∫arcosh(L/c)N' dc − (2/π)arcosh(L/b)Δl with N = πb²/4: ∫₀ᵇ arcosh(L/c)c dc = ½[b² arcosh(L/b) + L²(1 − √(1 − b²/L²))].
+    let depth = |b: f64| {
+        let (l, arcosh) = (10.0_f64, (10.0 / b).acosh());
+        let far = l * l * (1.0 - (1.0 - (b / l).powi(2)).sqrt());
+        0.5 * (b * b * arcosh + far) - 2.0 / pi * arcosh * (2.0 * pi * 0.01 * b).sqrt()
+    };
+    let b = fold.contact_radius.to_f64().expect("a number");
+    let d = fold.indentation.to_f64().expect("a number");
+    assert!((depth(b) / d - 1.0).abs() < 1e-11, "{} {d}", depth(b));
+    assert!(depth(0.98 * b) > d && depth(1.02 * b) > d);
+    let force = pi / 4.0 * b * b - (2.0 * pi * 0.01 * b).sqrt();
+    assert!((fold.force.to_f64().expect("a number") / force - 1.0).abs() < 1e-13);
+}
+
+/// α = 0.3 of MEDIA: forces over p* = π, contact radii as angles over π.
+#[test]
+fn johnsons_wave_under_a_load() {
+    let folds = folds(PERIODIC, WAVE, LOAD);
+    // P = −0.0959440263420646401834393766371 and 0.387727760720551064348407731248, times π.
+    assert_digits(&folds[0].force, "-0.301417048312055876458813186605");
+    assert_digits(&folds[1].force, "1.21808268467250442150553066913");
+    // 1 − H.
+    assert_digits(&folds[0].indentation, "-0.29244079277598441516112033957");
+    assert_digits(&folds[1].indentation, "0.9197966698103662848699010301809");
+    let way = "kind = \"force\"\npath = [\"-2\", \"2\"]\nstart = \"detached\"";
+    let answer = solve(&scene(PERIODIC, WAVE, way, "want = [\"path\"]\ndigits = 20"));
+    let events = &answer.path().expect("wanted").events.items;
+    let kinds: Vec<EventKind> = events.iter().map(|event| event.event).collect();
+    assert_eq!(kinds, [EventKind::Start, EventKind::JumpIn, EventKind::CompleteContact]);
+    let losses: Vec<f64> = events[1..]
+        .iter()
+        .map(|event| match &event.dissipated {
+            Some(mdr::answer::Dissipation::Finite(loss)) => loss.to_f64().expect("a number"),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    for (loss, expected) in losses.iter().zip([0.0318398552359114908538, 0.0123597916818971449567]) {
+        assert!((loss / (std::f64::consts::PI * expected) - 1.0).abs() < 1e-15, "{loss}");
+    }
+    assert!(answer.notes.iter().any(|note| note.contains("never detaches")), "{:?}", answer.notes);
+    assert_eq!(answer.force_unit, "Pa");
+}
+
+/// κ = 0: one fold; κ = 2: two, at the angles of MEDIA.
+#[test]
+fn johnsons_wave_by_its_approach() {
+    let grips = &folds(PERIODIC, WAVE, GRIPS)[..];
+    assert_eq!(grips.len(), 1);
+    let angle = |fold: &Fold| std::f64::consts::PI * fold.contact_radius.to_f64().expect("a number");
+    assert!((angle(&grips[0]) / 0.0707343437978380260911 - 1.0).abs() < 1e-15);
+    assert_digits(&grips[0].indentation, "-0.39170871811427556509813294049");
+    // K = πE*/(κλ) = π/2.
+    let machine = "kind = \"machine\"\nstiffness = \"1.5707963267948966192313216916397514420985846996875529\"";
+    let pair = folds(PERIODIC, WAVE, machine);
+    let angles = [0.09812273775410406154716406, 1.229819869496210329781686];
+    assert_eq!(pair.len(), 2);
+    for (fold, expected) in pair.iter().zip(angles) {
+        assert!((angle(fold) / expected - 1.0).abs() < 1e-15);
+    }
+}
+
+/// α → 0 is the cylinder of the curvature of the crests, R = λ²/(4π²h₀): the pull-off force per period.
+#[test]
+fn a_weak_wave_is_a_row_of_cylinders() {
+    let text = scene(PERIODIC, WAVE, LOAD, "want = [\"folds\"]").replace(ALPHA_3, "1e-12");
+    let wave = solve(&text).folds().expect("wanted").items[0].force.to_f64().expect("a number");
+    let (pi, w) = (std::f64::consts::PI, 1e-12_f64);
+    let cylinder = -3.0 * (pi * w * w / (16.0 * 4.0 * pi * pi)).cbrt();
+    // s ~ (α/4)^(4/3) is of the order of 1e-8 there.
+    assert!((wave / cylinder - 1.0).abs() < 1e-7, "{wave} {cylinder}");
+}
+
+/// Every digit and every bit of the half-space.
+#[test]
+fn no_grading_is_the_half_space() {
+    for arithmetic in ["digits = 30", "arithmetic = \"f64\""] {
+        let want = format!(
+            "want = [\"folds\", \"equilibria\", \"energy\"]\n{arithmetic}\n[output.equilibria]\nat = [0, \"0.1\"]"
+        );
+        for profile in [SQUARE, "kind = \"hyperboloid\"\nslope = 1\nlateral = 2"] {
+            let graded = scene("kind = \"graded\"\nexponent = 0\ncoefficient = 3", profile, GRIPS, &want);
+            let half_space = scene("kind = \"half-space\"", profile, GRIPS, &want)
+                .replace("[material]\n", "[material]\ne_star = 3\n");
+            assert_eq!(solve(&graded).to_json(), solve(&half_space).to_json());
+        }
+    }
+}
+
+/// In other units of length and force the digits stay.
+#[test]
+fn digits_do_not_depend_on_units() {
+    let graded =
+        |exponent: &str, c: &str| format!("kind = \"graded\"\nexponent = \"{exponent}\"\ncoefficient = \"{c}\"");
+    let ball = |radius: &str| format!("kind = \"paraboloid\"\nradius = \"{radius}\"");
+    // Lengths times 10³ at the same w: c, in N/m^(2+k), is divided by 10^(3(1 + k)), and forces are multiplied by 10³.
+    let [one, other] = [
+        folds(&graded("-1/3", "100"), &ball("1e-3"), GRIPS).remove(0),
+        folds(&graded("-1/3", "1"), &ball("1"), GRIPS).remove(0),
+    ];
+    for (one, other) in [
+        (&one.contact_radius, &other.contact_radius),
+        (&one.indentation, &other.indentation),
+        (&one.force, &other.force),
+    ] {
+        assert_eq!(digits(one), digits(other));
+    }
+    let [wave, wide] = ["1", "1000"].map(|length| {
+        let text = scene(&PERIODIC.replace('1', length), &WAVE.replace('1', length), LOAD, "want = [\"folds\"]");
+        // w scales with the lengths at a constant E*.
+        let work = if length == "1" { ALPHA_3.to_owned() } else { ALPHA_3.replacen("0.444", "444.", 1) };
+        solve(&text.replace(ALPHA_3, &work)).folds().expect("wanted").items[1].clone()
+    });
+    assert_eq!(digits(&wave.force), digits(&wide.force));
+    assert_eq!(digits(&wave.contact_radius), digits(&wide.contact_radius));
+}
+
+/// Folds of d(a) and F(a) on a graded medium, against a dense scan of their closed forms for a power law.
+#[test]
+fn folds_are_the_extrema_of_a_dense_scan() {
+    let gamma = |k: f64, n: f64| mdr_numeric_kappa(n, k);
+    let mut seed = 0x2545_f491_4f6c_dd1d_u64;
+    let mut uniform = || {
+        seed ^= seed << 13;
+        seed ^= seed >> 7;
+        seed ^= seed << 17;
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    for _ in 0..40 {
+        let (k, n) = (1.6 * uniform() - 0.8, 0.3 + 3.0 * uniform());
+        if (n - (1.0 - k) / 2.0).abs() < 0.1 {
+            continue;
+        }
+        let kappa = gamma(k, n);
+        let depth = |a: f64| kappa * a.powf(n) - (2.0 * std::f64::consts::PI * 0.01 * a.powf(1.0 - k)).sqrt();
+        let force = |a: f64| {
+            let mean = (1.0 + k) / (n + 1.0 + k) * kappa * a.powf(n);
+            2.0 * a.powf(1.0 + k) / (1.0 + k) * (depth(a) - mean)
+        };
+        let medium = format!("kind = \"graded\"\nexponent = \"{k}\"\ncoefficient = 1");
+        let profile = format!("kind = \"power\"\nn = \"{n}\"\nc = 1");
+        for (control, curve) in [(GRIPS, &depth as &dyn Fn(f64) -> f64), (LOAD, &force)] {
+            let text = scene(&medium, &profile, control, "want = [\"folds\"]\narithmetic = \"f64\"");
+            let answer = solve(&text);
+            let found = &answer.folds().expect("wanted").items;
+            assert_eq!(found.len(), 1, "{text}");
+            let a = found[0].contact_radius.to_f64().expect("a number");
+            let scan = |i: i32| curve(a * 1.01_f64.powi(i));
+            let extremum = (-2000..2000)
+                .map(scan)
+                .fold(scan(0), |best, x| if n > (1.0 - k) / 2.0 { best.min(x) } else { best.max(x) });
+            assert!((extremum - scan(0)).abs() <= 1e-12 * scan(0).abs(), "{text}: {extremum} {}", scan(0));
+        }
+    }
+}
+
+fn mdr_numeric_kappa(n: f64, k: f64) -> f64 {
+    mdr::contact::graded_kappa(&n, &k)
+}
+
+/// The examples are scenes with answers.
+#[test]
+fn examples() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/media");
+    for name in ["graded", "winkler", "cylinder", "wave"] {
+        let answer = Scene::open(folder.join(format!("{name}.toml"))).and_then(|scene| scene.solve());
+        let path = answer.unwrap_or_else(|why| panic!("{why}"));
+        assert!(path.path().expect("wanted").events.items.len() > 2, "{name}");
+    }
+}
+
+/// A wave as a formula, through the quadrature of any periodic profile, in digits on which two precisions agree.
+#[test]
+fn a_periodic_formula_is_the_wave() {
+    let formula = "kind = \"expression\"\nformula = \"1 - cos(2*pi*r)\"";
+    let text = scene(PERIODIC, WAVE, LOAD, "want = [\"folds\"]\ndigits = 16").replace(WAVE, formula);
+    let found = solve(&text);
+    let closed = folds(PERIODIC, WAVE, LOAD);
+    let found = &found.folds().expect("wanted").items;
+    assert_eq!(found.len(), 2);
+    for (one, other) in found.iter().zip(&closed) {
+        let [one, other] = [one, other].map(|fold| fold.force.to_f64().expect("a number"));
+        assert!((one / other - 1.0).abs() < 1e-15, "{one} {other}");
+    }
+    let why = complaint(&text.replace("2*pi*r", "4*pi*r"));
+    assert!(why.contains("more than one contact"), "{why}");
+    let why = complaint(&text.replace("2*pi*r", "3*r"));
+    assert!(why.contains("not periodic"), "{why}");
+}
+
+/// Bad input names its place and the remedy.
+#[test]
+fn complaints() {
+    let want = "want = [\"folds\"]";
+    let cases = [
+        (scene("kind = \"graded\"\nexponent = 1\ncoefficient = 1", SQUARE, LOAD, want), "winkler"),
+        (scene("kind = \"graded\"\nexponent = \"-1\"\ncoefficient = 1", SQUARE, LOAD, want), "within (-1, 1)"),
+        (scene("kind = \"graded\"\nexponent = 0.5\ncoefficient = 0", SQUARE, LOAD, want), "positive"),
+        (scene("kind = \"graded\"\nexponent = 0.5", SQUARE, LOAD, want), "coefficient"),
+        (scene("kind = \"winkler\"\nmodulus = \"1 MPa\"", SQUARE, LOAD, want), "Pa/m"),
+        (scene("kind = \"wobbly\"", SQUARE, LOAD, want), "periodic"),
+        (scene("kind = \"plane\"", WAVE, LOAD, want), "periodic"),
+        (scene(PERIODIC, SQUARE, LOAD, want), "wave"),
+        (scene("kind = \"periodic\"", WAVE, LOAD, want), "wavelength"),
+        (scene("kind = \"plane\"", SQUARE, LOAD, "want = [\"energy\"]\n[output.equilibria]\nat = [0]"), "energy"),
+    ];
+    for (text, part) in cases {
+        let why = complaint(&text);
+        assert!(why.starts_with("scene.toml:") && why.contains(part), "{why}\n{text}");
+    }
+}
