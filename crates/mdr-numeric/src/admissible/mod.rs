@@ -149,13 +149,12 @@ impl Admissibility {
         &RISING
     }
 
-    /// For a transform over enclosures whose extrema between two radii are proved to be all, g rising beyond; what is known of
-    /// the first touch stays. The gap between them is computed in doubles, from g rounded.
+    /// For a transform whose extrema between two radii are proved to be all, g rising beyond; what is known of the first touch
+    /// stays. The gap between them is computed in doubles.
     #[cfg(feature = "mp")]
     #[must_use]
-    pub fn with_extrema(&self, curve: &Contact<mdr_core::number::Interval>, extrema: &[f64], range: [f64; 2]) -> Self {
-        let (transform, ctx) = (Arc::clone(curve.shared_transform()), curve.modulus().ctx());
-        let terrain = Terrain::of_extrema(Arc::new(Rounded { transform, ctx }), extrema, range);
+    pub fn with_extrema(&self, transform: Arc<dyn Transform<f64>>, extrema: &[f64], range: [f64; 2]) -> Self {
+        let terrain = Terrain::of_extrema(transform, extrema, range);
         Admissibility { terrain: Some(terrain), touch: self.touch.clone(), isolated: true, unknown: None }
     }
 

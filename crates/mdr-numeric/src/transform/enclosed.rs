@@ -106,6 +106,9 @@ impl Enclosed {
         }
         let mut values = self.between_breaks(x, order, self.formula.breaks())?;
         self.add_kinks(x, order, &mut values);
+        if !Span::of(x).is_wide && !values.iter().all(Real::is_finite) {
+            return Err(unproved(x, "a kink of the formula is not located"));
+        }
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
         if kept.len() == KEPT {
             kept.remove(0);
@@ -118,10 +121,8 @@ impl Enclosed {
     fn between_breaks(&self, x: &Interval, order: Order, breaks: &[Interval]) -> Result<Vec<Interval>> {
         let span = Span::of(x);
         let unknown = || vec![Interval::entire(x.ctx()); order.count()];
-        let [from, to] = [x.lower(), x.upper()].map(|end| end.to_string_radix(10, Some(17)));
         if self.heights.load(Ordering::Relaxed) > MOST {
-            let remedy = "the integrals over the formula took too many values of it";
-            return Err(Error::Unproved { quantity: Quantity::TransformedProfile, from, to, remedy });
+            return Err(unproved(x, "the integrals over the formula took too many values of it"));
         }
         if span.is_for_ranges() {
             return Ok(unknown());
@@ -129,10 +130,7 @@ impl Enclosed {
         match self.pieces(x, order, breaks, &span) {
             Some(values) => Ok(values.into_iter().map(|value| value.rounded(x.ctx())).collect()),
             None if span.is_wide => Ok(unknown()),
-            None => {
-                let remedy = "an integral over the formula takes too many pieces there";
-                Err(Error::Unproved { quantity: Quantity::TransformedProfile, from, to, remedy })
-            }
+            None => Err(unproved(x, "an integral over the formula takes too many pieces there")),
         }
     }
 
@@ -264,6 +262,11 @@ impl Enclosed {
         let one = parts.next()??;
         parts.try_fold(one, |hull, other| Some(hull.hull(&other?)))
     }
+}
+
+fn unproved(x: &Interval, remedy: &'static str) -> Error {
+    let [from, to] = [x.lower(), x.upper()].map(|end| end.to_string_radix(10, Some(17)));
+    Error::Unproved { quantity: Quantity::TransformedProfile, from, to, remedy }
 }
 
 impl Order {
