@@ -11,7 +11,6 @@ use super::place::Location;
 use super::profile::Profile;
 use super::tree::Section;
 use super::{Scene, material};
-use crate::answer::OutputKind;
 use crate::error::Result;
 
 /// What the profile is pressed into.
@@ -294,22 +293,6 @@ impl Scene {
                 self.medium.name()
             );
             return Err(self.places.of("material.range_of_adhesion").refuse(why));
-        }
-        let unavailable = |want: OutputKind| match (&self.medium, want) {
-            (Medium::Plane { .. }, OutputKind::Energy) => {
-                Some("the energy of a line contact grows without bound with the size of the body")
-            }
-            (Medium::Plane { .. }, OutputKind::Displacement) => Some("a displacement of the half-plane has no zero"),
-            (Medium::Periodic { .. }, OutputKind::Displacement) => {
-                Some("displacements are not available; take the gap")
-            }
-            _ => None,
-        };
-        for want in &self.wants {
-            if let Some(why) = unavailable(want.kind()) {
-                let why = format!("`{}` on kind = \"{}\": {why}", want.name(), self.medium.name());
-                return Err(self.places.of("output.want").refuse(why));
-            }
         }
         Ok(())
     }

@@ -201,24 +201,15 @@ impl<'s> Solver<'s> {
         Ok(Solver { scene, counts, route })
     }
 
-    /// An output, without depths where the medium has none.
-    fn output(&self, want: &Want) -> contact::Result<Output> {
-        let output = self.output_of(want)?;
-        Ok(match self.scene.medium {
-            Medium::Plane { reference: None } => media::without_depth(output),
-            _ => output,
-        })
-    }
-
     #[cfg(not(feature = "mp"))]
-    fn output_of(&self, want: &Want) -> contact::Result<Output> {
+    fn output(&self, want: &Want) -> contact::Result<Output> {
         let Route::Search(search) = &self.route;
         Provider::Search(search).output(&*want.room())?.ok_or_else(unanswered)
     }
 
     /// The output of the first provider that has it, in the arithmetic of the scene.
     #[cfg(feature = "mp")]
-    fn output_of(&self, want: &Want) -> contact::Result<Output> {
+    fn output(&self, want: &Want) -> contact::Result<Output> {
         let room = want.room();
         let law = if want.kind().is_of_profile() { None } else { PowerLaw::of(self.scene)? };
         let beyond;
