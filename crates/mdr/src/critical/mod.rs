@@ -172,9 +172,10 @@ pub fn critical(law: &PowerLaw, arithmetic: Arithmetic) -> Result<CriticalAnswer
 
 impl PowerLaw {
     /// The contact of a scene, where its profile is a power law with rational constants: a power, a cone by its slope, a
-    /// paraboloid.
+    /// paraboloid. `None` with two works of adhesion.
     pub fn of(scene: &Scene) -> Option<PowerLaw> {
-        let [n, c] = rational_constants(&scene.profile).filter(|_| scene.pressed_into().is_half_space())?;
+        let plain = scene.pressed_into().is_half_space() && !scene.has_two_works();
+        let [n, c] = rational_constants(&scene.profile).filter(|_| plain)?;
         Some(PowerLaw {
             n,
             c,

@@ -4,7 +4,7 @@
 use mdr_analytic::certified;
 #[cfg(feature = "mp")]
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{self, FoldKind, Regime, Result, Status};
+use mdr_core::contact::{self, Edge, FoldKind, Regime, Result, Status};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
@@ -44,6 +44,8 @@ record! {
         kind: FoldKind,
         /// Whether the state is admissible.
         admissible: Admission<N>,
+        /// With two works of adhesion, the edge whose fold it is.
+        edge: Option<Edge>,
     }
 }
 
@@ -56,6 +58,7 @@ impl<N> Fold<N> {
             force: Value::Known(force),
             kind,
             admissible: Admission::of(verdict),
+            edge: None,
         }
     }
 }
@@ -132,6 +135,17 @@ impl<'w> IsRoom<'w> for Room<'w> {
         let folds: Vec<_> =
             search.folds()?.folds.iter().map(|fold| judged(&search.model, fold.clone(), &admissibility)).collect();
         Ok(Output::Folds(search::list(folds).complete(search.completeness()?)))
+    }
+
+    fn has_edges(&self) -> bool {
+        true
+    }
+
+    fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
+        let [Output::Folds(advancing), Output::Folds(receding)] = outputs else { return None };
+        let of = |edge: Edge| move |fold: Fold| Fold { edge: Some(edge), ..fold };
+        let [advancing, receding] = [advancing.map(of(Edge::Advancing)), receding.map(of(Edge::Receding))];
+        Some(Output::Folds(advancing.and(receding)))
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {

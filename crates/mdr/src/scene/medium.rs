@@ -117,6 +117,11 @@ impl Medium {
         *self == Medium::HalfSpace
     }
 
+    /// Whether its contacts are strips.
+    pub(super) fn is_of_strips(&self) -> bool {
+        matches!(self, Medium::Plane { .. } | Medium::Periodic { .. })
+    }
+
     /// Whether E* of the material is of use.
     pub(super) fn needs_modulus(&self) -> bool {
         !matches!(self, Medium::Graded { .. } | Medium::Winkler { .. })
@@ -286,6 +291,10 @@ impl Scene {
             let why = "a line contact has no depth of its own; measure it against a point of the surface, [medium] reference = \
                        its distance, or control the force per length, kind = \"force\"";
             return Err(self.places.of("control").refuse(why));
+        }
+        if self.has_two_works() && !self.medium.is_half_space() {
+            let why = format!("two works of adhesion are not available on kind = \"{}\"; give one", self.medium.name());
+            return Err(self.places.of("material.work_of_adhesion").refuse(why));
         }
         if self.range_of_adhesion.is_some() && !self.medium.is_half_space() {
             let why = format!(
