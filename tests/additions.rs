@@ -117,10 +117,8 @@ fn a_shape_costs_five_files() {
 /// Outputs that other outputs, the control of a scene and records of states also name.
 const OUTPUTS_NAMED_ELSEWHERE: [&str; 4] = ["equilibria", "folds", "path", "gap"];
 
-/// What an output costs today: its room, the list and docs/scenes.md, and what media say of it in `solve/media.rs` and
-/// `scene/medium.rs`; fields share one more file. The aim is 3 for all of them.
-const COSTS_OF_OUTPUTS: [(&str, usize); 6] =
-    [("transform", 4), ("curve", 4), ("force-curve", 4), ("energy", 5), ("pressure", 5), ("displacement", 6)];
+/// What an output costs where it is more than 3: fields share one more file.
+const COSTS_OF_OUTPUTS: [(&str, usize); 2] = [("pressure", 4), ("displacement", 4)];
 
 /// The outputs as the library lists them: room, variant and key.
 fn outputs() -> Vec<(String, String, String)> {
@@ -160,7 +158,7 @@ fn an_output_costs_what_is_listed() {
 }
 
 /// What a medium costs today, without its closed forms and its transform, which are modules of their own. The aim is 7 with them.
-const COSTS_OF_MEDIA: [(&str, usize); 4] = [("graded", 4), ("winkler", 5), ("plane", 7), ("periodic", 10)];
+const COSTS_OF_MEDIA: [(&str, usize); 4] = [("graded", 6), ("winkler", 7), ("plane", 9), ("periodic", 13)];
 
 /// S(a), A(a) and g in `medium.rs` and its folder, its keys in a scene, its numbers in one arithmetic, and what it lacks.
 #[test]

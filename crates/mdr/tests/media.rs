@@ -350,7 +350,6 @@ fn complaints() {
         (scene("kind = \"plane\"", WAVE, LOAD, want), "periodic"),
         (scene(PERIODIC, SQUARE, LOAD, want), "wave"),
         (scene("kind = \"periodic\"", WAVE, LOAD, want), "wavelength"),
-        (scene("kind = \"plane\"", SQUARE, LOAD, "want = [\"energy\"]\n[output.equilibria]\nat = [0]"), "energy"),
     ];
     for (text, part) in cases {
         let why = complaint(&text);

@@ -275,6 +275,29 @@ impl<N> Shape<N> {
         }
     }
 
+    /// The exponents n and coefficients C of f = Σ C rⁿ, where the shape is such a sum.
+    ///
+    /// ```
+    /// use mdr_core::contact::Shape;
+    /// assert_eq!(Shape::Paraboloid { radius: 2.0 }.powers(), Some(vec![[2.0, 0.25]]));
+    /// assert_eq!(Shape::Sphere { radius: 2.0 }.powers(), None);
+    /// ```
+    pub fn powers(&self) -> Option<Vec<[N; 2]>>
+    where
+        N: Special,
+    {
+        let curved = |radius: &N| [radius.lit(2), radius.clone().times(2).inv()];
+        Some(match self {
+            Shape::Power { n, c } => vec![[n.clone(), c.clone()]],
+            Shape::Paraboloid { radius } => vec![curved(radius)],
+            Shape::Cone { flank } => vec![[flank.parameter().1.lit(1), flank.slope()]],
+            Shape::DisplacedParaboloid { radius, offset } => {
+                vec![curved(radius), [radius.lit(1), -(offset.clone() / radius)]]
+            }
+            _ => return None,
+        })
+    }
+
     /// The shape with other parameters; `f` gets each with its key, in the order of [`Shape::parameters`].
     pub fn map<M>(&self, mut f: impl FnMut(&'static str, &N) -> M) -> Shape<M> {
         let Ok(shape) = self.try_map(|key, number| Ok::<M, std::convert::Infallible>(f(key, number)));

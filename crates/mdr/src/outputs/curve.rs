@@ -152,7 +152,7 @@ fn points<R: SceneReal>(
         let verdict = indentation.as_ref().ok().map(|d| admissibility.of(a.approx(), d.approx()));
         Ok(CurvePoint {
             contact_radius: literal.clone(),
-            indentation: Value::from_result(indentation)?,
+            indentation: model.depth(Value::from_result(indentation)?),
             force: Value::from_result(force)?,
             stability: CurveStability(stability),
             admissible: verdict.map(Admission::of),

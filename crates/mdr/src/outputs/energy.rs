@@ -92,8 +92,7 @@ fn energies<R: SceneReal>(
         let admissible = Admission::of(states.verdict(&state));
         let energy = Value::from_result(potential)?;
         let stiffness = Value::from_result(fields.stiffness())?;
-        Ok(EnergyState { state: states.model.shown(state).into(), energy, stiffness, admissible }
-            .convert(Estimate::exact))
+        Ok(EnergyState { state: states.model.plain(state), energy, stiffness, admissible }.convert(Estimate::exact))
     })
 }
 

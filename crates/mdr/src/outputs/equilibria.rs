@@ -163,7 +163,8 @@ fn judged<R: SceneReal>(
     admissibility: &Admissibility,
 ) -> Equilibrium<R> {
     let verdict = admissibility.of(state.contact_radius.approx(), state.indentation.approx());
-    Equilibrium::new(model.shown(state), verdict)
+    let state = Equilibrium::new(model.shown(state), verdict);
+    Equilibrium { indentation: model.depth(state.indentation), ..state }
 }
 
 #[cfg(feature = "mp")]

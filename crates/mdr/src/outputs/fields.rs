@@ -172,7 +172,7 @@ fn described<'w, R: SceneReal, F: FieldRoom<'w>>(
         Ok(FieldState {
             samples: samples::<R, F>(states, &fields, radii, &states.model.contact_radius(&state.contact_radius))?,
             admissible: F::admission(states, &fields, &state)?,
-            state: states.model.shown(state).map(|number| Estimate::exact(number.clone())).into(),
+            state: states.model.plain(state).convert(Estimate::exact),
             field: F::FIELD,
         })
     })

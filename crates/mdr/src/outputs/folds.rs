@@ -157,7 +157,8 @@ impl<'w> IsRoom<'w> for Room<'w> {
 fn judged<R: SceneReal>(model: &Model<R>, fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
     let verdict = admissibility.of(fold.contact_radius.approx(), fold.indentation.approx());
     let contact_radius = model.contact_radius(&fold.contact_radius);
-    Fold::new(contact::Fold { contact_radius, ..fold }, verdict)
+    let fold = Fold::new(contact::Fold { contact_radius, ..fold }, verdict);
+    Fold { indentation: model.depth(fold.indentation), ..fold }
 }
 
 /// # Errors

@@ -11,7 +11,6 @@ use super::place::Location;
 use super::profile::Profile;
 use super::tree::Section;
 use super::{Scene, material};
-use crate::answer::OutputKind;
 use crate::error::Result;
 
 /// What the profile is pressed into.
@@ -293,28 +292,16 @@ impl Scene {
                        its distance, or control the force per length, kind = \"force\"";
             return Err(self.places.of("control").refuse(why));
         }
+        if self.has_two_works() && !self.medium.is_half_space() {
+            let why = format!("two works of adhesion are not available on kind = \"{}\"; give one", self.medium.name());
+            return Err(self.places.of("material.work_of_adhesion").refuse(why));
+        }
         if self.range_of_adhesion.is_some() && !self.medium.is_half_space() {
             let why = format!(
                 "the theory of a finite range of adhesion is not available on kind = \"{}\"",
                 self.medium.name()
             );
             return Err(self.places.of("material.range_of_adhesion").refuse(why));
-        }
-        let unavailable = |want: OutputKind| match (&self.medium, want) {
-            (Medium::Plane { .. }, OutputKind::Energy) => {
-                Some("the energy of a line contact grows without bound with the size of the body")
-            }
-            (Medium::Plane { .. }, OutputKind::Displacement) => Some("a displacement of the half-plane has no zero"),
-            (Medium::Periodic { .. }, OutputKind::Displacement) => {
-                Some("displacements are not available; take the gap")
-            }
-            _ => None,
-        };
-        for want in &self.wants {
-            if let Some(why) = unavailable(want.kind()) {
-                let why = format!("`{}` on kind = \"{}\": {why}", want.name(), self.medium.name());
-                return Err(self.places.of("output.want").refuse(why));
-            }
         }
         Ok(())
     }

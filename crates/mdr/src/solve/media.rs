@@ -1,7 +1,7 @@
 //! The medium of a scene in one arithmetic, and the transform of its profile there.
 
 use mdr_analytic::profiles::Sum;
-use mdr_core::contact::{Body, Error, Quantity, Result, Shape, Status, Transform};
+use mdr_core::contact::{Body, Error, Quantity, Result, Transform};
 #[cfg(feature = "mp")]
 use mdr_core::number::Interval;
 use mdr_core::number::Literal;
@@ -11,7 +11,7 @@ use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::{LineLoad, Periodic, Powers, Wave, Weighted};
 
 use super::model::{SceneReal, by_formulas};
-use crate::answer::{Output, Value};
+use crate::answer::Output;
 use crate::scene::{Formula, Grading, Medium, Profile, Scene};
 
 /// c of a graded half-space: as given, or 1/c = z₀ᵏ Σ (1 − ν²)/(h_N E).
@@ -78,7 +78,7 @@ impl Scene {
         match &self.medium {
             medium if medium.is_half_space() => self.profile.is_closed(),
             Medium::Periodic { .. } => matches!(self.profile, Profile::Wave(_)),
-            _ => powers(&self.profile).is_some(),
+            _ => powers::<f64>(&self.profile, ()).is_some(),
         }
     }
 
@@ -97,13 +97,9 @@ impl Scene {
             _ => return false,
         };
         let order = (k + 3u32) / 2u32;
-        let has_order = |(shape, power): &(&Shape<Literal>, Power)| match (shape, power) {
-            (Shape::Power { n, .. }, _) => n.to_rational() == order,
-            (_, Power::First) => order == 1,
-            (_, Power::Second | Power::Given) => order == 2,
-        };
-        let is_dead_load = self.control == mdr_core::contact::Control::Force;
-        is_dead_load && powers(&self.profile).is_some_and(|terms| terms.iter().all(has_order))
+        let law = self.profile.exact_power_law(Literal::to_rational);
+        let has_order = law.is_some_and(|[n, _]| n.to_rational() == order);
+        self.control == mdr_core::contact::Control::Force && has_order
     }
 
     /// The rows of a table, where its transform is measured exactly: on a half-space.
@@ -112,43 +108,15 @@ impl Scene {
     }
 }
 
-/// A profile as a sum of powers C rⁿ: for each n, and the shape that has C.
-fn powers(profile: &Profile) -> Option<Vec<(&Shape<Literal>, Power)>> {
+/// A profile as a sum of powers C rⁿ: n and C of each; `None` for another profile.
+fn powers<R: SceneReal>(profile: &Profile, ctx: R::Ctx) -> Option<Vec<[R; 2]>> {
     match profile {
-        Profile::Shape(shape) => Some(match shape {
-            Shape::Power { .. } => vec![(shape, Power::Given)],
-            Shape::Paraboloid { .. } => vec![(shape, Power::Second)],
-            Shape::Cone { .. } => vec![(shape, Power::First)],
-            Shape::DisplacedParaboloid { .. } => vec![(shape, Power::Second), (shape, Power::First)],
-            _ => return None,
-        }),
+        Profile::Shape(shape) => shape.map(|_, literal| R::from_literal(ctx, literal)).powers(),
         Profile::Sum(terms) => {
-            let terms: Option<Vec<_>> = terms.iter().map(powers).collect();
+            let terms: Option<Vec<_>> = terms.iter().map(|term| powers::<R>(term, ctx)).collect();
             Some(terms?.concat())
         }
         _ => None,
-    }
-}
-
-/// A power of a shape.
-#[derive(Clone, Copy)]
-enum Power {
-    Given,
-    First,
-    Second,
-}
-
-/// n and C of a power in a shape.
-fn term<R: SceneReal>(ctx: R::Ctx, shape: &Shape<Literal>, power: Power) -> (R, R) {
-    let one = R::from_int(ctx, 1);
-    let shape = shape.map(|_, literal| R::from_literal(ctx, literal));
-    let curved = |radius: &R| (radius.clone().times(2)).inv();
-    match (&shape, power) {
-        (Shape::Power { n, c }, _) => (n.clone(), c.clone()),
-        (Shape::Cone { flank }, _) => (one, flank.slope()),
-        (Shape::DisplacedParaboloid { radius, offset }, Power::First) => (one, -(offset.clone() / radius)),
-        (Shape::Paraboloid { radius } | Shape::DisplacedParaboloid { radius, .. }, _) => (one.lit(2), curved(radius)),
-        _ => (one.clone(), one.lit(0)),
     }
 }
 
@@ -176,9 +144,8 @@ pub(crate) fn transform<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<Box<
         Medium::Plane { reference } => reference.as_ref().map(number),
         _ => None,
     };
-    if let Some(terms) = powers(&scene.profile) {
-        let terms = terms.into_iter().map(|(shape, power)| term::<R>(ctx, shape, power));
-        let sum = Powers::new(terms.map(|(n, c)| of_medium.power(n, c)))?;
+    if let Some(terms) = powers::<R>(&scene.profile, ctx) {
+        let sum = Powers::new(terms.into_iter().map(|[n, c]| of_medium.power(n, c)))?;
         return Ok(match of_medium {
             OfMedium::Line => Box::new(LineLoad::of_powers(sum, reference)),
             _ => Box::new(sum),
@@ -293,32 +260,6 @@ fn quadrature<R: SceneReal>(
         Profile::Table(measured) => medium.of(measured.table.profile::<R>(ctx)?, ctx, accepted),
         Profile::Wave(_) => return Err(not_available("this medium")),
     })
-}
-
-/// An output without the depths that a line contact does not have: they are empty, and nothing is amiss.
-pub(crate) fn without_depth(output: Output) -> Output {
-    let none = || Value::Unknown { status: Status::Ok, log10: None, why: None };
-    let mut output = output;
-    match &mut output {
-        Output::Folds(list) => list.items.iter_mut().for_each(|fold| fold.indentation = none()),
-        Output::Equilibria(list) => {
-            let states = list.items.iter_mut().flat_map(|at| &mut at.items);
-            states.for_each(|state| state.indentation = none());
-        }
-        Output::Curve(list) => list.items.iter_mut().for_each(|point| point.indentation = none()),
-        Output::Path(path) => {
-            for event in &mut path.events.items {
-                (event.indentation, event.to_indentation) = (None, None);
-            }
-        }
-        Output::Pressure(list) | Output::Gap(list) | Output::Displacement(list) => {
-            let states = list.items.iter_mut().flat_map(|at| &mut at.items);
-            states.for_each(|field| field.state.indentation = none());
-        }
-        Output::ForceCurve(curve) => curve.samples.items.iter_mut().for_each(|sample| sample.indentation = None),
-        Output::Transform(_) | Output::Energy(_) => {}
-    }
-    output
 }
 
 /// What has to be said of the outputs on this medium.

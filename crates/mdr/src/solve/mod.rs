@@ -219,20 +219,11 @@ impl<'s> Solver<'s> {
         Ok(Solver { scene, counts, route })
     }
 
-    /// An output, without depths where the medium has none.
-    fn output(&self, want: &Want) -> contact::Result<Output> {
-        let output = self.output_of(want)?;
-        Ok(match self.scene.medium {
-            Medium::Plane { reference: None } => media::without_depth(output),
-            _ => output,
-        })
-    }
-
     /// The output; with two works of adhesion made of those at each, unless it follows the path between them.
     ///
     /// # Errors
     /// Errors of the transform, of the quadratures and of the proofs; a decision that no precision makes.
-    fn output_of(&self, want: &Want) -> contact::Result<Output> {
+    fn output(&self, want: &Want) -> contact::Result<Output> {
         if !self.scene.has_two_works() || want.kind().is_of_profile() || want.kind().moves() {
             return self.output_of_one(want);
         }

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{self, Control, CountingTransform, Edge, Error, ExpressionError, Quantity, Result, Transform};
+use mdr_core::contact::{
+    self, Control, CountingTransform, Edge, Error, ExpressionError, Quantity, Result, Status, Transform,
+};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Dual, Interval, Precision};
@@ -19,6 +21,7 @@ use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
 use super::graded::GradedReal;
 use super::media;
 use super::weight::weight;
+use crate::answer::{PlainState, Value};
 use crate::run::Counts;
 use crate::scene::{Formula, Profile, Scene, Start};
 #[cfg(feature = "mp")]
@@ -151,6 +154,21 @@ impl<R: SceneReal> Model<R> {
             }
             medium => Ok(medium.size(&a)),
         }
+    }
+
+    /// An indentation; on a medium without depths nothing, and nothing is amiss.
+    pub(crate) fn depth<N>(&self, indentation: Value<N>) -> Value<N> {
+        if self.contact.medium().has_depth() {
+            indentation
+        } else {
+            Value::Unknown { status: Status::Ok, log10: None, why: None }
+        }
+    }
+
+    /// The record of a state, by its contact radius.
+    pub(crate) fn plain(&self, state: contact::Equilibrium<R>) -> PlainState<R> {
+        let state = PlainState::from(self.shown(state));
+        PlainState { indentation: self.depth(state.indentation), ..state }
     }
 
     /// The start of a path, by its size.

@@ -115,7 +115,11 @@ pub(super) fn sampled(course: Course<'_, '_>, points: usize) -> Result<ForceCurv
                 ContactState::Contact(state) => ContactState::Contact(model.shown(state)),
                 state => state,
             };
-            samples.extend(sample(model.control(), segment, step, value, state.map(seen))?);
+            let sample = sample(model.control(), segment, step, value, state.map(seen))?;
+            let has_depth = model.contact().medium().has_depth();
+            samples.extend(
+                sample.map(|sample| ForceSample { indentation: sample.indentation.filter(|_| has_depth), ..sample }),
+            );
         }
     }
     let summary = summary(course, model, &path, &samples)?;

@@ -41,6 +41,13 @@ pub(crate) fn events<R: SceneReal>(
     path.events.iter().map(|event| of_event(control, event, admission(event, admissibility))).collect()
 }
 
+/// Leaves the depths out that a medium does not have.
+pub(crate) fn without_depths<N>(events: &mut [PathEvent<N>]) {
+    for event in events {
+        (event.indentation, event.to_indentation) = (None, None);
+    }
+}
+
 /// A path with contact radii for the sizes of its contacts.
 pub(crate) fn shown<R: SceneReal>(path: &Path<R>, medium: &Medium<R>) -> Path<R> {
     let mut path = path.clone();
@@ -174,7 +181,10 @@ pub(crate) fn with_energy<R: SceneReal>(
         .convert(Estimate::exact)
         .into_iter()
         .zip(losses);
-    let events = events.map(|(event, dissipated)| PathEvent { dissipated, ..event }).collect();
+    let mut events: Vec<_> = events.map(|(event, dissipated)| PathEvent { dissipated, ..event }).collect();
+    if !branches.curve().medium().has_depth() {
+        without_depths(&mut events);
+    }
     Ok(PathNumbers { events, balance })
 }
 

@@ -13,6 +13,7 @@ use rug::Float;
 use super::{LoadingPath, PathEvent, PathNumbers, events, follow, is_arrival};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise, Value};
+use crate::scene::Medium;
 use crate::solve::certified::Certified;
 use crate::solve::digits::{agree, decide_from, guarded, raised, start};
 use crate::solve::model::Model;
@@ -107,6 +108,9 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
             if event.fold.is_some() && event.before.contact().is_some() && scene.breaks_at_zero_depth() {
                 record.indentation = Some(exactly(&0.into()));
             }
+        }
+        if matches!(scene.pressed_into(), Medium::Plane { reference: None }) {
+            events::without_depths(&mut events);
         }
         Ok(events)
     });
