@@ -78,12 +78,27 @@ fn the_packages_see_only_what_the_design_lets_them_see() {
         ("reference", &[]),
         ("crosscheck", &["analytic", "core", "numeric", "symbolic"]),
         ("mdr", &["analytic", "core", "numeric"]),
-        ("plot", &["contact", "reference"]),
-        ("records", &["analytic", "contact", "core", "numeric", "reference"]),
-        ("python", &["contact", "plot", "reference"]),
+        ("fit", &["analytic", "contact", "core", "numeric"]),
+        ("plot", &["contact", "fit", "reference"]),
+        ("records", &["analytic", "contact", "core", "fit", "numeric", "reference"]),
+        ("python", &["contact", "fit", "plot", "reference"]),
         ("capi", &["contact"]),
-        ("book", &["contact", "crosscheck", "plot", "reference", "symbolic"]),
-        ("cli", &["analytic", "contact", "core", "crosscheck", "numeric", "plot", "records", "reference", "symbolic"]),
+        ("book", &["contact", "crosscheck", "fit", "plot", "reference", "symbolic"]),
+        (
+            "cli",
+            &[
+                "analytic",
+                "contact",
+                "core",
+                "crosscheck",
+                "fit",
+                "numeric",
+                "plot",
+                "records",
+                "reference",
+                "symbolic",
+            ],
+        ),
     ];
     for (package, manifest) in manifests() {
         let Some((_, seen)) = arrows.iter().find(|(name, _)| *name == package) else {

@@ -184,7 +184,7 @@ fn several_units() {
 #[test]
 fn rounded_pi() {
     let spheres = |question: &Record| Contact::of(question).filter(|contact| contact.slope.is_none());
-    for (name, pi) in [("pi-3.14", 3.14), ("pi-22-over-7", 22.0 / 7.0)] {
+    for (name, pi) in [("pi-3.14", 314.0 / 100.0), ("pi-22-over-7", 22.0 / 7.0)] {
         let planted = |question: &Record, c: Contact| fold(question, Contact { work: c.work * pi / PI, ..c });
         assert_names(&explained(|question| Some(planted(question, spheres(question)?))), name);
     }
