@@ -1,5 +1,7 @@
 //! Other media than the half-space: fields carry the force, energies are those of their springs, quadratures are the closed forms.
 
+#![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
+
 use std::f64::consts::PI;
 
 use mdr_core::calculus::quadrature::tanh_sinh_near_ends;
