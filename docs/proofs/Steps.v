@@ -774,11 +774,7 @@ Lemma prove_step_paper_statements_2 : step_paper_statements_2.
 Proof. unfold step_paper_statements_2. step. Qed.
 
 Lemma prove_step_paper_statements_3 : step_paper_statements_3.
-Proof.
-  unfold step_paper_statements_3.
-  cbv zeta. replace (1 - 2*(1/4)) with (/2) by field. replace (-(1/(1/4))) with (Ropp 4) by field. rewrite
-      Rpower_Ropp. replace (Rpower (/2) 4) with ((/2)^4). field. rewrite <- Rpower_pow by lra. f_equal. simpl. lra.
-Qed.
+Proof. unfold step_paper_statements_3. field. Qed.
 
 Lemma prove_step_paper_statements_4 : step_paper_statements_4.
 Proof. unfold step_paper_statements_4. step. Qed.

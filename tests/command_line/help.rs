@@ -83,7 +83,7 @@ fn lines_of_the_help_are_not_broken() {
 fn hardware_arithmetic_promises_what_it_keeps() {
     let promises = |command: &str| output(&format!("{command} --help")).contains("2 units in the last place");
     assert!(promises("critical") && !promises("solve"));
-    assert!(output("solve --help").contains("the condition of what is asked"));
+    assert!(output("solve --help").contains("the condition of the question"));
 }
 
 /// Every example of the help pages runs as it stands.

@@ -21,7 +21,6 @@ use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Special, order};
 
 use crate::contact::{Contact, negligible};
-use crate::medium::Medium;
 
 use ring::Ring;
 
@@ -91,7 +90,7 @@ impl<R: Special> Dugdale<R> {
     /// [`Error::Domain`] unless h₀ is positive and finite; [`Error::OutOfRange`] if w/(E*h₀) is not representable.
     pub fn new(curve: Contact<R>, separation: &R) -> Result<Self> {
         let separation = Error::require_positive(RANGE, separation.clone())?;
-        if !matches!(curve.medium(), Medium::HalfSpace { .. }) {
+        if !curve.medium().is_half_space() {
             let requirement = "left out: the theory of a finite range is available on a homogeneous half-space only";
             return Err(Error::domain(RANGE, &separation, requirement));
         }

@@ -11,7 +11,6 @@ use mdr_core::contact::{Equilibrium, Error, Quantity, Result};
 use mdr_core::number::Special;
 
 use crate::contact::{Contact, negligible};
-use crate::medium::Medium;
 
 /// The fields of the equilibrium with a given contact radius.
 ///
@@ -78,9 +77,11 @@ impl<R: Special> Fields<R> {
     /// in this arithmetic.
     pub fn pressure(&self, r: &R) -> Result<R> {
         let estimate = self.pressure_estimate(r)?;
-        let share = match self.curve.medium() {
-            Medium::HalfSpace { modulus } => self.edge.abs() / leg(&self.contact_radius, r) * modulus,
-            medium => medium.stiffness(&self.contact_radius) * self.edge.abs() * r.unit_roundoff().sqrt(),
+        let medium = self.curve.medium();
+        let share = if medium.is_half_space() {
+            self.edge.abs() / leg(&self.contact_radius, r) * medium.modulus()
+        } else {
+            medium.stiffness(&self.contact_radius) * self.edge.abs() * r.unit_roundoff().sqrt()
         };
         settled(estimate, &share)
     }
@@ -92,8 +93,7 @@ impl<R: Special> Fields<R> {
     /// not converge; [`Error::OutOfRange`] if the pressure is not representable in this arithmetic.
     pub fn pressure_estimate(&self, r: &R) -> Result<Estimate<R>> {
         let a = &self.contact_radius;
-        let is_half_space = matches!(self.curve.medium(), Medium::HalfSpace { .. });
-        if is_half_space && !(*r >= r.lit(0) && r < a) {
+        if self.curve.medium().is_half_space() && !(*r >= r.lit(0) && r < a) {
             return Err(Error::domain(Quantity::Radius, r, "within the contact, 0 <= r < a"));
         }
         if let Some(estimate) = self.pressure_on_medium(r)? {

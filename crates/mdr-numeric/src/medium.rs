@@ -27,8 +27,14 @@
 //!
 //! These functions stand here and nowhere else in this crate.
 
-use mdr_core::contact::{Control, Edge, Error, Material, Quantity, Result};
-use mdr_core::number::{Dual, Real, Special};
+mod condition;
+mod size;
+
+use mdr_core::contact::{Edge, Error, Material, Quantity, Result};
+use mdr_core::number::{Dual, Real};
+
+use size::root_of_length;
+pub(crate) use size::{arcosh_ratio, openness, phase};
 
 /// An elastic medium, with its properties in one arithmetic.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,6 +77,9 @@ pub enum Medium<R> {
         wavelength: R,
     },
 }
+
+/// The binary order of magnitude of the longest length from which a search begins, and of the shortest inverse.
+const LONGEST: i64 = 500;
 
 /// The period of a medium or a profile, for errors.
 pub(crate) const WAVELENGTH: Quantity = Quantity::Parameter("the wavelength");
@@ -176,6 +185,11 @@ impl<R: Real> Medium<R> {
             | Medium::Plane { modulus, .. }
             | Medium::Periodic { modulus, .. } => modulus,
         }
+    }
+
+    /// Whether it is a homogeneous half-space.
+    pub fn is_half_space(&self) -> bool {
+        matches!(self, Medium::HalfSpace { .. })
     }
 
     /// Whether the depth of a contact is defined: that of a line contact is only against a reference.
@@ -343,140 +357,6 @@ impl<R: Real> Medium<R> {
             _ => b.lit(1),
         }
     }
-
-    /// q = d ln S/d ln a.
-    pub(crate) fn stiffness_order(&self, a: &R) -> R {
-        match self {
-            Medium::HalfSpace { .. } => a.lit(1),
-            Medium::Graded { exponent, .. } => exponent.lit(1) + exponent,
-            Medium::Winkler { .. } => a.lit(2),
-            Medium::Plane { reference: None, .. } => a.lit(0),
-            Medium::Plane { reference: Some(reference), .. } => {
-                let share = a.clone() / reference;
-                let root = ((share.lit(1) - &share) * (share.lit(1) + &share)).sqrt();
-                (arcosh_ratio(reference, a) * root).inv()
-            }
-            Medium::Periodic { wavelength, .. } => {
-                let t = phase(a, wavelength);
-                (openness(a, wavelength) * (t.square() + t.lit(1))).inv().times(2)
-            }
-        }
-    }
-
-    /// 2p, where p = d ln Δl/d ln a.
-    fn double_elongation_order(&self, a: &R) -> R {
-        match self {
-            Medium::HalfSpace { .. } => a.lit(1),
-            Medium::Graded { exponent, .. } => exponent.lit(1) - exponent,
-            Medium::Winkler { .. } => a.lit(0),
-            Medium::Plane { .. } | Medium::Periodic { .. } => a.lit(1) - self.stiffness_order(a).times(2),
-        }
-    }
-
-    /// Δl'(a) = p Δl/a.
-    pub(crate) fn elongation_slope(&self, work: &R, a: &R) -> R {
-        match self {
-            Medium::HalfSpace { .. } => self.elongation(work, a) / a.clone().times(2),
-            _ => self.relative_elongation(work, a) * self.double_elongation_order(a).over(2),
-        }
-    }
-
-    /// The tangency ratio 2a g'/Δl for a given g'(a); on a half-space it is g'/Δl' (1.10). Where p may be negative both sides of
-    /// the condition are raised by 2q/(1 + S/K), after which neither is.
-    pub(crate) fn tangency(&self, work: &R, slope: R, a: &R, control: &Control<R>) -> R {
-        let ratio = slope.times(2) / self.relative_elongation(work, a);
-        match self {
-            Medium::Plane { reference: Some(_), .. } | Medium::Periodic { .. } => match control {
-                Control::Force => ratio,
-                Control::Indentation => ratio + self.stiffness_order(a).times(2),
-                Control::Machine { stiffness } => {
-                    let share = (self.stiffness(a) / stiffness + a.lit(1)).inv();
-                    ratio + self.stiffness_order(a).times(2) * share
-                }
-            },
-            _ => ratio,
-        }
-    }
-
-    /// The tangency ratio at which the controlled quantity is stationary, 2p + 2q/(1 + K/S).
-    pub(crate) fn critical_ratio(&self, a: &R, control: &Control<R>) -> R {
-        // 2p + 2q where it is raised.
-        if matches!(self, Medium::Plane { .. } | Medium::Periodic { .. }) {
-            return a.lit(1);
-        }
-        let (grips, load) = (self.double_elongation_order(a), self.stiffness_order(a).times(2));
-        match control {
-            Control::Indentation => grips,
-            Control::Force => grips + load,
-            Control::Machine { stiffness } => {
-                // In this form it stays in range at both ends.
-                let share = (stiffness.clone() / self.stiffness(a) + a.lit(1)).inv();
-                match self {
-                    Medium::HalfSpace { .. } => share.times(2) + grips,
-                    _ => share * load + grips,
-                }
-            }
-        }
-    }
-
-    /// The stiffness dF/dd of a contact along its equilibria, over that at a fixed size, from 2a g'/Δl:
-    /// F'/(S d') = (τ − 2p − 2q)/(τ − 2p); `None` at a fold of d.
-    pub(crate) fn stiffening(&self, work: &R, slope: R, a: &R) -> Option<R> {
-        let ratio = slope.times(2) / self.relative_elongation(work, a);
-        let grips = self.double_elongation_order(a);
-        let fold = ratio.clone() - &grips;
-        let load = grips + self.stiffness_order(a).times(2);
-        (fold != fold.lit(0)).then(|| (ratio - load) / fold)
-    }
-}
-
-impl<R: Special> Medium<R> {
-    /// The contact radius or half-width of a contact of this size, in m.
-    pub fn contact_radius(&self, size: &R) -> R {
-        match self {
-            Medium::Periodic { wavelength, .. } => phase(size, wavelength).atan() * wavelength / size.pi(),
-            _ => size.clone(),
-        }
-    }
-
-    /// The size of a contact with this contact radius or half-width, in m; below λ/2 on a periodic medium.
-    pub fn size(&self, contact_radius: &R) -> R {
-        match self {
-            Medium::Periodic { wavelength, .. } => {
-                let phase = phase(contact_radius, wavelength);
-                phase.sin() / phase.cos() * wavelength / contact_radius.pi()
-            }
-            _ => contact_radius.clone(),
-        }
-    }
-}
-
-/// The binary order of magnitude of the longest length from which a search begins, and of the shortest inverse.
-const LONGEST: i64 = 500;
-
-/// √(2πℓ/a), which stays in range if the product aℓ does not.
-fn root_of_length<R: Real>(length: R, a: &R) -> R {
-    let square = (length.clone() / a * a.pi()).times(2);
-    let normal = square.is_finite() && square.clone() * a.unit_roundoff() > a.lit(0);
-    if normal { square.sqrt() } else { a.pi().times(2).sqrt() * length.sqrt() / a.sqrt() }
-}
-
-/// πx/λ.
-pub(crate) fn phase<R: Real>(x: &R, wavelength: &R) -> R {
-    x.pi() * x / wavelength
-}
-
-/// Λ = ln(1 + 1/t²) = −2 ln sin(πa/λ) at t = πb/λ, without cancellation: 0 at complete contact.
-pub(crate) fn openness<R: Real>(size: &R, wavelength: &R) -> R {
-    let t = phase(size, wavelength);
-    if t.midpoint() < t.lit(1) { t.square().ln_1p() - t.ln().times(2) } else { t.square().inv().ln_1p() }
-}
-
-/// arcosh(L/b) for b < L, without cancellation.
-pub(crate) fn arcosh_ratio<R: Real>(reference: &R, b: &R) -> R {
-    let excess = (reference.clone() - b) / b;
-    let root = (excess.clone() * (excess.clone() + excess.lit(2))).sqrt();
-    (excess + root).ln_1p()
 }
 
 /// The work of adhesion at the edge of a contact, in J/m²: w₁ gained by an edge that advances, w₂ needed by one that recedes.

@@ -8,6 +8,7 @@ mod dugdale;
 mod enclosed;
 mod fields;
 mod interruption;
+mod media;
 mod path;
 mod path_energy;
 mod pinned;

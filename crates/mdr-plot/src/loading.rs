@@ -3,7 +3,7 @@
 use mdr::diagram::{Branch, CurveSample, Diagram, DiagramEvent, State};
 use mdr::prelude::EventKind;
 
-use crate::balance::LOSS;
+use crate::balance::{ADHESION, LOSS};
 use crate::chart::{Layer, Mark, Panel, Point, Side, Stroke};
 use crate::scene::radius_axis;
 use crate::{Axis, Unit};
@@ -113,6 +113,11 @@ fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
             Layer::curve(name, points, stroke).meaning(format!("{name}{every}"))
         }));
     }
+    for Branch { samples, .. } in data.advancing.iter().filter(|branch| branch.stable) {
+        let points = samples.iter().map(|sample| plane.point(&state(sample))).collect();
+        let layer = Layer::curve("advancing edge", points, Stroke::Thin).coloured(ADHESION);
+        layers.push(layer.meaning("equilibria of an advancing edge"));
+    }
     layers
 }
 
@@ -155,10 +160,10 @@ fn is_cycle(path: &[DiagramEvent]) -> bool {
 
 /// The states on a branch from one to another; in a straight line where they are apart or at a wall.
 fn smooth(data: &Diagram, from: &State, to: &State) -> Vec<State> {
-    let (lower, upper) = (from.contact_radius.min(to.contact_radius), from.contact_radius.max(to.contact_radius));
+    let [start, end] = [from.contact_radius, to.contact_radius];
     // Apart there is no branch.
-    let between = |a: f64| lower != 0.0 && a > lower && a < upper;
-    let inner = data.samples().filter(|sample| between(sample.contact_radius));
+    let apart = start == 0.0 || end == 0.0;
+    let inner = data.samples_between(start, end).filter(|_| !apart);
     let mut states: Vec<State> = inner.map(state).collect();
     if from.contact_radius > to.contact_radius {
         states.reverse();

@@ -1,7 +1,8 @@
 //! Power laws: κ and critical states, one or many.
 
+use mdr::answer::Fold;
 use mdr::batch;
-use mdr::critical::{CriticalAnswer, CriticalState, PowerLaw, critical};
+use mdr::critical::{CriticalAnswer, PowerLaw, critical};
 use mdr::double;
 use mdr::prelude::{Arithmetic, Control, Elasticity, Literal, Status};
 use pyo3::prelude::*;
@@ -78,7 +79,7 @@ pub(crate) fn certified_answer(py: Python<'_>, law: PowerLaw, digits: u32) -> Py
 }
 
 /// The critical state, which there is unless n = 1/2.
-pub(crate) fn state_of(answer: &CriticalAnswer) -> PyResult<&CriticalState> {
+pub(crate) fn state_of(answer: &CriticalAnswer) -> PyResult<&Fold> {
     let why = "there is no critical state under this control: at n = 1/2 the coefficient C decides, against a threshold, and \
                on a machine there may be no instability";
     answer.state.as_ref().ok_or_else(|| raise("NoEquilibriumError", (why,)))

@@ -63,7 +63,7 @@
 //! * **Layers and thin samples**: the elastic body is deep against the contact.
 //! * **Large strains and steep flanks**: slopes are small against 1; [`validity`] has the slope at the edge.
 //! * **Several contacts**: the contact is one disc. A state whose surfaces would overlap outside of it is marked as not admissible.
-//! * **Bodies without an axis**: profiles are f(r).
+//! * **Bodies without an axis**: profiles are f(r), or f(x) of a line contact.
 //! * **Dynamics**: a jump leads to the next equilibrium at once; its energy is reported, its duration is not.
 //!
 //! # Documents of the repository
@@ -126,7 +126,7 @@ pub mod contact {
     pub use mdr_numeric::function::{Differentiated, Function};
     pub use mdr_numeric::medium::{Adhesion, Medium};
     pub use mdr_numeric::path;
-    pub use mdr_numeric::transform::{Line, Powers, Quadrature, Wave, Weighted, graded_kappa};
+    pub use mdr_numeric::transform::{LineLoad, Powers, Quadrature, Wave, Weighted, graded_kappa};
 }
 
 /// The reader of TOML and JSON with places, for documents that contain parts of scenes: a fit, for example.

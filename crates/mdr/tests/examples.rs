@@ -54,6 +54,18 @@ fn answers_in_f64_are_the_same_in_every_build() {
     }
 }
 
+#[test]
+fn the_page_on_scenes_has_a_row_for_each_output() {
+    let page = std::fs::read_to_string(root().join("docs/scenes.md")).unwrap();
+    let (_, table) = page.split_once("| output | what it lists |").expect("the table of outputs");
+    let named: Vec<&str> =
+        table.lines().map_while(|line| line.split('|').nth(1).or(line.is_empty().then_some(""))).collect();
+    for kind in OutputKind::ALL {
+        let name = format!("`{kind}`");
+        assert!(named.iter().any(|cell| cell.contains(&name)), "docs/scenes.md lacks a row for {name}");
+    }
+}
+
 /// A formula with kinks is refused without certified digits.
 fn needs_mp(name: &str) -> bool {
     name == "kinked"

@@ -31,7 +31,7 @@ fn for_reader(answer: &Answer, style: &NumberStyle) -> String {
         Arithmetic::Double => "f64".to_owned(),
     };
     let control = answer.control.map_or_else(String::new, |control| format!("; controlled: {}", control.name()));
-    let medium = if answer.medium == "half-space" { String::new() } else { format!(" on medium: {}", answer.medium) };
+    let medium = answer.medium.map_or_else(String::new, |medium| format!("; medium: {medium}"));
     let heading = format!("Profile: {}{medium}{control}; {digits}", answer.profile);
     let parts = answer.outputs.iter().map(|part| output(answer, part, style));
     let basis = answer.admissibility.map(|basis| format!("Admissible: {}.", described(basis)));

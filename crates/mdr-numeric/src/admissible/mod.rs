@@ -26,7 +26,6 @@ use mdr_core::contact::{Fold, Result, Transform};
 use mdr_core::number::Real;
 
 use crate::contact::Contact;
-use crate::medium::Medium;
 
 use extrema::Terrain;
 
@@ -163,7 +162,7 @@ impl Admissibility {
     /// For a transformed profile in any arithmetic, evaluated there and rounded.
     pub(crate) fn rounded<R: Real>(curve: &Contact<R>, folds: &[Fold<R>]) -> Self {
         let (transform, length) = (Arc::clone(curve.shared_transform()), curve.material_length());
-        if !matches!(curve.medium(), Medium::HalfSpace { .. }) && !transform.rises() {
+        if !curve.medium().is_half_space() && !transform.rises() {
             return Self::unknown(NOT_SEARCHED);
         }
         let radii: Vec<f64> = folds.iter().map(|fold| fold.contact_radius.approx()).collect();

@@ -19,7 +19,6 @@ impl<R: Special> Fields<R> {
             return Err(Error::domain(Quantity::Radius, r, "within the contact, 0 <= r < a"));
         }
         Ok(match self.curve.medium() {
-            Medium::HalfSpace { .. } => None,
             Medium::Graded { coefficient, exponent } => Some(self.graded_pressure(coefficient, exponent, r)?),
             Medium::Winkler { modulus } => {
                 let g = self.curve.transform().g_within(&self.off_axis(r.clone()), &self.negligible_here())?;
@@ -27,13 +26,14 @@ impl<R: Special> Fields<R> {
             }
             Medium::Plane { modulus, .. } => Some(self.line_pressure(modulus, r)?),
             Medium::Periodic { modulus, wavelength } => Some(self.periodic_pressure(modulus, wavelength, r)?),
+            _ => None,
         })
     }
 
     /// The gap at r > a; `None` on a half-space.
     pub(super) fn gap_on_medium(&self, r: &R) -> Result<Option<Estimate<R>>> {
         let medium = self.curve.medium();
-        if let Medium::HalfSpace { .. } = medium {
+        if medium.is_half_space() {
             return Ok(None);
         }
         let a = medium.contact_radius(&self.contact_radius);
@@ -61,19 +61,19 @@ impl<R: Special> Fields<R> {
             }
             Medium::Plane { .. } => self.line_gap(r).map(Some),
             Medium::Periodic { modulus, wavelength } => self.periodic_gap(modulus, wavelength, r).map(Some),
-            Medium::HalfSpace { .. } => Ok(None),
+            _ => Ok(None),
         }
     }
 
     /// The displacement at r > a; `None` on a half-space.
     pub(super) fn displacement_on_medium(&self, r: &R) -> Result<Option<Estimate<R>>> {
         let a = match self.curve.medium() {
-            Medium::HalfSpace { .. } => return Ok(None),
             Medium::Graded { .. } | Medium::Winkler { .. } => self.outside(r)?,
             Medium::Plane { .. } | Medium::Periodic { .. } => {
                 let requirement = "left out: on this medium displacements are not available, take the gap";
                 return Err(Error::domain(Quantity::Radius, r, requirement));
             }
+            _ => return Ok(None),
         };
         let Medium::Graded { exponent, .. } = self.curve.medium() else {
             // Springs that are not touched stay.

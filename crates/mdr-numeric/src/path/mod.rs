@@ -6,6 +6,7 @@
 //! enclosures each decision is proved.
 
 mod begin;
+mod complete;
 mod energy;
 mod follow;
 mod integral;

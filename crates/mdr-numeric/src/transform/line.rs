@@ -15,15 +15,15 @@ use crate::medium::arcosh_ratio;
 ///
 /// ```
 /// use mdr_core::contact::{Control, Transform};
-/// use mdr_numeric::{contact::Contact, folds, medium::{Adhesion, Medium}, transform::{Line, Powers}};
+/// use mdr_numeric::{contact::Contact, folds, medium::{Adhesion, Medium}, transform::{LineLoad, Powers}};
 /// // A cylinder of radius 1 breaks under a dead load at −3(πE*w²R/16)^(1/3) per length.
-/// let cylinder = Line::of_powers(Powers::line([(2.0, 0.5)])?, None);
+/// let cylinder = LineLoad::of_powers(Powers::line([(2.0, 0.5)])?, None);
 /// let contact = Contact::new(cylinder, Medium::plane(1.0, None)?, Adhesion::new(1e-2)?, Control::Force);
 /// let pull_off = &folds::find(&contact)?[0];
 /// assert!((pull_off.force / (-3.0 * (std::f64::consts::PI * 1e-4 / 16.0).cbrt()) - 1.0).abs() < 1e-13);
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-pub struct Line<R> {
+pub struct LineLoad<R> {
     load: Load<R>,
     reference: Option<R>,
 }
@@ -34,15 +34,15 @@ enum Load<R> {
     Other(Box<dyn Transform<R>>),
 }
 
-impl<R: Real> Line<R> {
+impl<R: Real> LineLoad<R> {
     /// From N of a sum of powers, and the distance of the reference.
     pub fn of_powers(load: Powers<R>, reference: Option<R>) -> Self {
-        Line { load: Load::Powers(load), reference }
+        LineLoad { load: Load::Powers(load), reference }
     }
 
     /// From any N, as the g of a transform, and the distance of the reference.
     pub fn new(load: Box<dyn Transform<R>>, reference: Option<R>) -> Self {
-        Line { load: Load::Other(load), reference }
+        LineLoad { load: Load::Other(load), reference }
     }
 
     /// N(b).
@@ -63,7 +63,7 @@ impl<R: Real> Line<R> {
     }
 }
 
-impl<R: Real> Transform<R> for Line<R> {
+impl<R: Real> Transform<R> for LineLoad<R> {
     fn g(&self, b: &R) -> Result<R> {
         match &self.reference {
             None => self.load().g(b),

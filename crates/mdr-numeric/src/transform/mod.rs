@@ -26,7 +26,7 @@ mod weighted;
 
 #[cfg(feature = "mp")]
 pub use enclosed::{Enclosed, EnclosedWithSlopes};
-pub use line::Line;
+pub use line::LineLoad;
 pub use periodic::Periodic;
 pub use powers::{Powers, graded_kappa, line_factor};
 pub use quadrature::{Quadrature, Rule};

@@ -53,10 +53,12 @@ impl<R: Special, P: Profile<R>> Periodic<R, P> {
     pub fn new(profile: P, wavelength: R) -> Result<Self> {
         let wavelength = Error::require_positive(WAVELENGTH, wavelength)?;
         let half = wavelength.clone().over(2);
-        let top = profile.height(&half).abs();
+        let at = |step: i64| half.clone().times(step).over(CHECKED);
+        let top = (1..=CHECKED).map(|step| profile.height(&at(step)).abs());
+        let top = top.fold(half.lit(0), |top, height| top.greater(&height));
         let tolerance = (top.unit_roundoff().times(1 << 20)) * &top;
         for step in 1..CHECKED {
-            let x = half.clone().times(step).over(CHECKED);
+            let x = at(step);
             let height = profile.height(&x);
             let mirrored = [wavelength.clone() - &x, wavelength.clone() + &x].map(|x| profile.height(&x) - &height);
             if mirrored.iter().any(|change| !(change.abs() <= tolerance)) {

@@ -77,7 +77,7 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         Self::new(profile, Weight::Winkler, like.lit(2))
     }
 
-    /// In line contact, as the N of a [`Line`](super::Line); `like` has the arithmetic.
+    /// In line contact, as the N of a [`LineLoad`](super::LineLoad); `like` has the arithmetic.
     pub fn line(profile: P, like: R) -> Self {
         Self::new(profile, Weight::Line, like.lit(1))
     }

@@ -25,8 +25,8 @@ impl Serialize for Answer {
         map.serialize_entry("digits", &self.arithmetic.digits())?;
         map.serialize_entry("profile", self.profile)?;
         map.serialize_entry("control", &self.control.map(|control| control.name()))?;
-        if self.medium != "half-space" {
-            map.serialize_entry("medium", self.medium)?;
+        if let Some(medium) = self.medium {
+            map.serialize_entry("medium", medium)?;
             map.serialize_entry("force_unit", self.force_unit)?;
         }
         if !self.notes.is_empty() {

@@ -23,10 +23,8 @@ pub use style::{Notation, NumberStyle, UnitError, Units};
 pub use types::{Admission, AtValue, Completeness, List, Optional, Overlap, PlainState};
 pub use value::{Number, Promise, Value};
 
-pub use crate::outputs::{
-    Balance, CurvePoint, CurveStability, CurveSummary, Dissipation, EnergyState, Equilibrium, Field, FieldSample,
-    FieldState, Fold, ForceCurve, ForceSample, LoadingPath, Output, OutputKind, PathEvent, TransformSample,
-};
+pub use crate::outputs::records::*;
+pub use crate::outputs::{Output, OutputKind};
 use crate::run::Cost;
 use crate::scene::{Arithmetic, Want};
 use crate::validity::Validity;
@@ -50,8 +48,8 @@ pub struct Answer {
     pub arithmetic: Arithmetic,
     /// The name of the profile.
     pub profile: &'static str,
-    /// The name of the medium.
-    pub medium: &'static str,
+    /// The name of the medium; `None` on a homogeneous half-space.
+    pub medium: Option<&'static str>,
     /// The unit of forces: N, per length N/m, or per area Pa.
     pub force_unit: &'static str,
     /// The kind of controlled quantity; `None` if nothing is controlled.

@@ -3,7 +3,7 @@
 //! A record holds enclosures while digits are being decided, and [`Number`]s in an answer. Every view, JSON, tables, CSV and
 //! other languages, walks its [`Row`].
 
-use mdr_core::contact::{FoldKind, Stability, Status};
+use mdr_core::contact::{Edge, FoldKind, Stability, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::path::EventKind;
 
@@ -257,6 +257,7 @@ constant_parts! {
     };
     Literal: |literal, key, row| row.cells.push((key, Cell::Literal(literal)));
     FoldKind: |kind, key, row| row.cells.push((key, Cell::Word(kind.name())));
+    Edge: |edge, key, row| row.cells.push((key, Cell::Word(edge.name())));
     EventKind: |kind, key, row| row.cells.push((key, Cell::Word(kind.name())));
     &'static str: |word, key, row| row.cells.push((key, Cell::Word(word)));
     usize: |count, key, row| row.cells.push((key, Cell::Count(*count)));

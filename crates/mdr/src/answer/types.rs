@@ -127,6 +127,16 @@ impl<T> AtValue<T> {
         AtValue { value: value.clone(), items, proved: None, status, why: None }
     }
 
+    /// The items at the value of two results, and the weaker status.
+    pub(crate) fn and(mut self, other: Self) -> Self {
+        self.items.extend(other.items);
+        self.proved = self.proved.zip(other.proved).map(|(one, other)| one && other).or(self.proved).or(other.proved);
+        if other.status == Status::Undecided || self.status == Status::NoEquilibrium {
+            (self.status, self.why) = (other.status, other.why);
+        }
+        self
+    }
+
     /// The states could not be computed, for the reason that the error gives.
     pub(crate) fn open(value: &Literal, error: &contact::Error) -> Self {
         AtValue { status: Status::Undecided, why: Some(error.to_string()), ..AtValue::new(value, Vec::new()) }
@@ -187,5 +197,22 @@ impl<T> List<T> {
 
     pub(crate) fn complete(self, complete: Completeness) -> Self {
         List { complete: Some(complete), ..self }
+    }
+
+    /// Every item changed.
+    pub(crate) fn map<S>(self, f: impl FnMut(T) -> S) -> List<S> {
+        List { items: self.items.into_iter().map(f).collect(), promise: self.promise, complete: self.complete }
+    }
+
+    /// The items of another list after those of this one, with the weaker promise and the weaker claim of completeness.
+    pub(crate) fn and(mut self, other: Self) -> Self {
+        self.items.extend(other.items);
+        if self.promise == Promise::Certified || other.promise == Promise::Double {
+            self.promise = other.promise;
+        }
+        if self.complete.as_ref().is_none_or(|complete| complete.proved) {
+            self.complete = other.complete;
+        }
+        self
     }
 }

@@ -1,12 +1,14 @@
 //! The critical state in f64.
 
-use mdr_analytic::double;
-use mdr_core::contact::{Body, Control, Elasticity, Error, Material, Quantity, Ranged, Regime, Result};
+use mdr_analytic::{State, double};
+use mdr_core::contact::{self, Body, Control, Elasticity, Error, Material, Quantity, Ranged, Regime, Result};
 use mdr_core::number::Literal;
+use mdr_numeric::admissible::Verdict;
 
-use super::{CriticalAnswer, CriticalFold, CriticalState, PowerLaw, Threshold, first_trouble, folds, out_of_doubles};
+use super::{CriticalAnswer, PowerLaw, Threshold, out_of_doubles};
 use crate::answer::record::Numbers;
-use crate::answer::{Number, Value};
+use crate::answer::{Fold, Number, Value};
+use crate::outputs::folds;
 use crate::scene::Arithmetic;
 
 pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
@@ -22,27 +24,17 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
         _ if n > 0.5 => Regime::PullOff,
         _ => Regime::CompleteContact,
     };
-    let folds: Option<Vec<CriticalFold>> = match control {
-        Control::Machine { stiffness } => Some(match double::machine_folds(n, c, &material, stiffness) {
-            Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?.1,
-            found => folds(found?).resolve(ranged),
+    let found = match control {
+        Control::Machine { stiffness } => double::machine_folds(n, c, &material, stiffness),
+        _ if regime == Regime::ScaleFree => Ok(Vec::new()),
+        _ => double::critical(n, c, &material, &control).map(|critical| {
+            let State { contact_radius, indentation, force } = critical;
+            vec![contact::Fold { contact_radius, indentation, force, kind: folds::kind(regime) }]
         }),
-        _ => None,
     };
-    let state = match &folds {
-        Some(folds) => {
-            let first = if regime == Regime::PullOff { folds.last() } else { folds.first() };
-            first.map(|fold| fold.state.clone())
-        }
-        None if regime == Regime::ScaleFree => None,
-        None => match double::critical(n, c, &material, &control) {
-            Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?.0,
-            critical => {
-                let critical = critical?;
-                let state = [critical.contact_radius, critical.indentation, critical.force];
-                Some(CriticalState::known(state).resolve(ranged))
-            }
-        },
+    let folds = match found {
+        Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?,
+        found => found?.into_iter().map(|fold| Fold::new(fold, Verdict::Admissible).resolve(ranged)).collect(),
     };
     let threshold = match regime {
         Regime::ScaleFree => {
@@ -51,31 +43,15 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
         }
         _ => None,
     };
-    let of_threshold = threshold.iter().flat_map(|threshold| [&threshold.c, &threshold.ratio]);
     let known = |value: f64| Value::Known(Number::Double(value));
-    Ok(CriticalAnswer {
-        arithmetic: Arithmetic::Double,
-        law: law.clone(),
-        regime,
-        inputs: law.inputs(|literal| known(literal.nearest_f64()), || known(e_star)),
-        kappa: Number::Double(double::kappa(n)?),
-        status: first_trouble(state.iter().flat_map(CriticalState::values).chain(of_threshold)),
-        state,
-        threshold,
-        folds,
-        validity: None,
-    })
+    let inputs = law.inputs(|literal| known(literal.nearest_f64()), || known(e_star));
+    let kappa = Number::Double(double::kappa(n)?);
+    Ok(CriticalAnswer::new(law, Arithmetic::Double, regime, inputs, kappa, folds, threshold))
 }
 
-/// The answer in digits, for a state that takes more words than hardware arithmetic has, or exponents beyond its range.
+/// The folds in digits, for a state that takes more words than hardware arithmetic has, or exponents beyond its range.
 #[cfg(feature = "mp")]
-fn in_digits(
-    _: Error,
-    n: f64,
-    c: f64,
-    material: &Material<f64>,
-    control: &Control<f64>,
-) -> Result<(Option<CriticalState>, Vec<CriticalFold>)> {
+fn in_digits(_: Error, n: f64, c: f64, material: &Material<f64>, control: &Control<f64>) -> Result<Vec<Fold>> {
     /// Digits that fix the nearest double.
     const ENOUGH: u32 = 40;
     let literal = |value: &f64| {
@@ -90,18 +66,13 @@ fn in_digits(
         control: control.try_map(literal)?,
     };
     let answer = super::certified(&law, ENOUGH)?;
-    Ok((answer.state.resolve(rounded), answer.folds.unwrap_or_default().resolve(rounded)))
+    let folds = answer.folds.unwrap_or_else(|| answer.state.into_iter().collect());
+    Ok(folds.resolve(rounded))
 }
 
 /// Without certified digits it stays undecided.
 #[cfg(not(feature = "mp"))]
-fn in_digits(
-    error: Error,
-    _: f64,
-    _: f64,
-    _: &Material<f64>,
-    _: &Control<f64>,
-) -> Result<(Option<CriticalState>, Vec<CriticalFold>)> {
+fn in_digits(error: Error, _: f64, _: f64, _: &Material<f64>, _: &Control<f64>) -> Result<Vec<Fold>> {
     Err(error)
 }
 

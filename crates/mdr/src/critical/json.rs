@@ -3,9 +3,9 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::{CriticalAnswer, CriticalFold, Inputs, Threshold};
+use super::{CriticalAnswer, Inputs, Threshold};
 use crate::answer::json::serialize_cells;
-use crate::answer::{Cell, Row};
+use crate::answer::{Cell, Fold, Row};
 
 /// Names the keys of the answer and their meaning.
 const SCHEMA: &str = "mdr.critical/1";
@@ -22,7 +22,7 @@ impl Serialize for CriticalAnswer {
         map.serialize_entry("kappa", &self.kappa)?;
         map.serialize_entry("status", &self.status.to_string())?;
         let mut cells = match &self.state {
-            Some(state) => Row::new().with("", state).cells,
+            Some(state) => row(state).cells.into_iter().filter(|(key, _)| *key != "kind").collect::<Vec<_>>(),
             None => ["contact_radius", "indentation", "force"].map(|key| (key, Cell::Absent)).into(),
         };
         match &self.threshold {
@@ -33,7 +33,7 @@ impl Serialize for CriticalAnswer {
         }
         serialize_cells(&mut map, &cells)?;
         if let Some(folds) = &self.folds {
-            map.serialize_entry("folds", folds)?;
+            map.serialize_entry("folds", &folds.iter().map(row).collect::<Vec<_>>())?;
         }
         if let Some(validity) = &self.validity {
             let promise = validity.promise().name();
@@ -44,10 +44,11 @@ impl Serialize for CriticalAnswer {
     }
 }
 
-impl Serialize for CriticalFold {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        Row::new().with("", self).serialize(serializer)
-    }
+/// A fold as a row that says nothing of its admissibility: every state of a power law is admissible.
+fn row(fold: &Fold) -> Row<'_> {
+    let mut row = Row::new().with("", fold);
+    row.admissible = None;
+    row
 }
 
 impl Serialize for Inputs {

@@ -6,16 +6,15 @@ mod json;
 mod rows;
 mod words;
 
-use mdr_core::contact::{Control, Elasticity, Error, Fold, FoldKind, Quantity, Regime, Shape, Status};
+use mdr_core::contact::{Control, Elasticity, Error, Quantity, Regime, Shape, Status};
 use mdr_core::number::Literal;
 use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
 
-#[cfg(feature = "mp")]
-use crate::answer::record::Numbers;
-use crate::answer::record::record;
-use crate::answer::{Number, Value};
+use crate::answer::{Fold, Number, Value};
 use crate::error::Result;
+#[cfg(feature = "mp")]
+use crate::outputs::folds;
 use crate::scene::{Arithmetic, Location, Profile, Scene};
 use crate::validity::Validity;
 
@@ -35,26 +34,6 @@ pub struct PowerLaw {
     pub work_of_adhesion: Literal,
     /// The control, with the stiffness of a machine in N/m.
     pub control: Control<Literal>,
-}
-
-record! {
-    /// Radius, depth and force of a critical state, in SI units.
-    CriticalState {
-        /// a.
-        contact_radius: Value<N>,
-        /// d.
-        indentation: Value<N>,
-        /// F.
-        force: Value<N>,
-    }
-
-    /// A fold of the position of a machine.
-    CriticalFold {
-        /// The state there.
-        state: CriticalState<N>,
-        /// The kind of extremum of the controlled quantity, as a function of the contact radius.
-        kind: FoldKind,
-    }
 }
 
 /// The threshold that decides at n = 1/2.
@@ -98,17 +77,43 @@ pub struct CriticalAnswer {
     pub kappa: Number,
     /// `Ok`, or the status of the first quantity out of range.
     pub status: Status,
-    /// The critical state; `None` if there is none.
-    pub state: Option<CriticalState>,
+    /// The critical state, which is a fold of the controlled quantity; `None` if there is none.
+    pub state: Option<Fold>,
     /// The threshold at n = 1/2.
     pub threshold: Option<Threshold>,
     /// On a machine: all folds, by increasing radius.
-    pub folds: Option<Vec<CriticalFold>>,
+    pub folds: Option<Vec<Fold>>,
     /// Whether the theory holds, where a [range of adhesion](CriticalAnswer::with_range) was given.
     pub validity: Option<Box<Validity>>,
 }
 
 impl CriticalAnswer {
+    /// From all folds of a law; that which is met first on the stable branch is the critical state.
+    fn new(
+        law: &PowerLaw,
+        arithmetic: Arithmetic,
+        regime: Regime,
+        inputs: Inputs,
+        kappa: Number,
+        folds: Vec<Fold>,
+        threshold: Option<Threshold>,
+    ) -> Self {
+        let state = if regime == Regime::PullOff { folds.last() } else { folds.first() }.cloned();
+        let of_threshold = threshold.iter().flat_map(|threshold| [&threshold.c, &threshold.ratio]);
+        CriticalAnswer {
+            arithmetic,
+            law: law.clone(),
+            regime,
+            inputs,
+            kappa,
+            status: first_trouble(state.iter().flat_map(Fold::values).chain(of_threshold)),
+            state,
+            threshold,
+            folds: matches!(law.control, Control::Machine { .. }).then_some(folds),
+            validity: None,
+        }
+    }
+
     /// The critical state of the same contact under the other of the two controls of a test by hand, fixed grips and a dead load;
     /// `None` on a machine, and if there is no critical state.
     ///
@@ -129,35 +134,9 @@ impl CriticalAnswer {
     /// # Errors
     /// A range that is no number, or not positive; an input out of its domain. See [`Scene::validity`].
     pub fn with_range(self, range: &Literal) -> Result<Self> {
-        let PowerLaw { n, c, elasticity, work_of_adhesion, .. } = self.law.clone();
-        let scene = Scene::new(Profile::Shape(Shape::Power { n, c }), elasticity, work_of_adhesion)?;
-        let validity = scene.range_of_adhesion(range.clone())?.arithmetic(self.arithmetic).validity()?;
+        let scene = self.law.scene()?.range_of_adhesion(range.clone())?;
+        let validity = scene.arithmetic(self.arithmetic).validity()?;
         Ok(CriticalAnswer { validity: Some(Box::new(validity)), ..self })
-    }
-}
-
-impl<N> CriticalState<N> {
-    fn known(state: [N; 3]) -> Self {
-        let [contact_radius, indentation, force] = state.map(Value::Known);
-        CriticalState { contact_radius, indentation, force }
-    }
-}
-
-impl<N> From<Fold<N>> for CriticalFold<N> {
-    fn from(Fold { contact_radius, indentation, force, kind }: Fold<N>) -> Self {
-        CriticalFold { state: CriticalState::known([contact_radius, indentation, force]), kind }
-    }
-}
-
-impl CriticalState {
-    /// The quantities of the state, in the order of a, d and F.
-    pub fn values(&self) -> [&Value; 3] {
-        [&self.contact_radius, &self.indentation, &self.force]
-    }
-
-    /// `Ok`, or the status of the first quantity out of range.
-    pub fn status(&self) -> Status {
-        first_trouble(self.values())
     }
 }
 
@@ -193,9 +172,10 @@ pub fn critical(law: &PowerLaw, arithmetic: Arithmetic) -> Result<CriticalAnswer
 
 impl PowerLaw {
     /// The contact of a scene, where its profile is a power law with rational constants: a power, a cone by its slope, a
-    /// paraboloid.
+    /// paraboloid. `None` with two works of adhesion.
     pub fn of(scene: &Scene) -> Option<PowerLaw> {
-        let [n, c] = rational_constants(&scene.profile).filter(|_| scene.pressed_into().is_half_space())?;
+        let plain = scene.pressed_into().is_half_space() && !scene.has_two_works();
+        let [n, c] = rational_constants(&scene.profile).filter(|_| plain)?;
         Some(PowerLaw {
             n,
             c,
@@ -203,6 +183,31 @@ impl PowerLaw {
             work_of_adhesion: scene.work_of_adhesion.clone(),
             control: scene.control.clone(),
         })
+    }
+
+    /// The power law as a scene, without outputs yet. Its `folds` are those of [`critical`] in certified digits, and in f64 the
+    /// doubles nearest to them.
+    ///
+    /// ```
+    /// use mdr::critical::{PowerLaw, critical};
+    /// use mdr::prelude::*;
+    /// let law = PowerLaw::from_keys(|key| match key {
+    ///     "n" => Some("2"),
+    ///     "c" | "e_star" | "work" => Some("1"),
+    ///     _ => None,
+    /// })?;
+    /// # #[cfg(feature = "mp")] {
+    /// let answer = law.scene()?.want(Want::Folds { range: None }).solve()?;
+    /// assert_eq!(answer.folds().expect("wanted").items, [critical(&law, Arithmetic::default())?.state.expect("one")]);
+    /// # }
+    /// # Ok::<(), mdr::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A number out of its domain.
+    pub fn scene(&self) -> Result<Scene> {
+        let PowerLaw { n, c, elasticity, work_of_adhesion, control } = self.clone();
+        Ok(Scene::new(Profile::Shape(Shape::Power { n, c }), elasticity, work_of_adhesion)?.control(control))
     }
 
     /// The keys of a question, as in a scene or in the header of a table.
@@ -301,10 +306,6 @@ impl PowerLaw {
     }
 }
 
-fn folds<N>(folds: Vec<Fold<N>>) -> Vec<CriticalFold<N>> {
-    folds.into_iter().map(CriticalFold::from).collect()
-}
-
 #[cfg(feature = "mp")]
 fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalAnswer> {
     use mdr_core::number::certify::Enclosure;
@@ -315,25 +316,12 @@ fn certified(law: &PowerLaw, digits: u32) -> mdr_core::contact::Result<CriticalA
         Some(decimal) => known(decimal),
         None => Value::unknown(Status::Undecided, "E* of the two bodies"),
     };
-    let is_machine = matches!(law.control, Control::Machine { .. });
-    Ok(CriticalAnswer {
-        arithmetic: Arithmetic::Certified { digits },
-        law: law.clone(),
-        regime: answer.regime,
-        inputs: law.inputs(|literal| Value::Given(literal.clone()), e_star),
-        kappa: Number::Certified(answer.kappa),
-        status: Status::Ok,
-        state: answer
-            .critical
-            .map(|state| CriticalState::known([state.contact_radius, state.indentation, state.force]))
-            .convert(Number::Certified),
-        threshold: answer
-            .threshold
-            .zip(answer.ratio)
-            .map(|(threshold, ratio)| Threshold { c: known(threshold), ratio: known(ratio) }),
-        folds: is_machine.then(|| folds(answer.folds).convert(Number::Certified)),
-        validity: None,
-    })
+    let threshold = answer.threshold.clone().zip(answer.ratio.clone());
+    let threshold = threshold.map(|(threshold, ratio)| Threshold { c: known(threshold), ratio: known(ratio) });
+    let inputs = law.inputs(|literal| Value::Given(literal.clone()), e_star);
+    let (arithmetic, regime) = (Arithmetic::Certified { digits }, answer.regime);
+    let kappa = Number::Certified(answer.kappa.clone());
+    Ok(CriticalAnswer::new(law, arithmetic, regime, inputs, kappa, folds::of_answer(answer), threshold))
 }
 
 /// n and C of a power law, exactly.

@@ -1,8 +1,8 @@
 //! A critical state as rows of a table.
 
-use super::{CriticalAnswer, CriticalFold, CriticalState};
+use super::CriticalAnswer;
 use crate::Validity;
-use crate::answer::{FlatRow, NumberStyle, Value, columns, find};
+use crate::answer::{FlatRow, Fold, NumberStyle, Value, columns, find};
 
 /// A row of the table of critical states: the text below each of [`CriticalRow::COLUMNS`], empty where there is nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,7 +15,7 @@ macro_rules! columns {
             /// The titles, which are keys of the JSON as well.
             pub const COLUMNS: [&str; 24] = [$($title),*];
 
-            fn of($answer: &CriticalAnswer, $state: Option<&CriticalState>, $fold: Option<&CriticalFold>) -> Self {
+            fn of($answer: &CriticalAnswer, $state: Option<&Fold>, $fold: Option<&Fold>) -> Self {
                 CriticalRow([$($text),*])
             }
         }
@@ -37,7 +37,7 @@ columns! { answer, state, fold:
     "work" = answer.inputs.work.to_string(),
     "stiffness" = text(answer.inputs.stiffness.as_ref()),
     "kappa" = answer.kappa.to_string(),
-    "status" = fold.map_or(answer.status, |fold| fold.state.status()).to_string(),
+    "status" = fold.map_or(answer.status, |fold| fold.status()).to_string(),
     "contact_radius" = text(state.map(|state| &state.contact_radius)),
     "indentation" = text(state.map(|state| &state.indentation)),
     "force" = text(state.map(|state| &state.force)),
@@ -90,7 +90,7 @@ impl CriticalAnswer {
     pub fn rows(&self) -> Vec<CriticalRow> {
         match self.folds.as_deref() {
             Some(folds) if !folds.is_empty() => {
-                folds.iter().map(|fold| CriticalRow::of(self, Some(&fold.state), Some(fold))).collect()
+                folds.iter().map(|fold| CriticalRow::of(self, Some(fold), Some(fold))).collect()
             }
             _ => vec![CriticalRow::of(self, self.state.as_ref(), None)],
         }

@@ -49,7 +49,7 @@ impl CriticalAnswer {
         match self.folds.as_deref() {
             Some(folds) if folds.len() > 1 => {
                 for (index, fold) in folds.iter().enumerate() {
-                    add(&format!(", fold {} ({})", index + 1, fold.kind.name()), fold.state.values().map(Some));
+                    add(&format!(", fold {} ({})", index + 1, fold.kind.name()), fold.values().map(Some));
                 }
             }
             _ if self.regime == Regime::ScaleFree && self.state.is_none() => {}

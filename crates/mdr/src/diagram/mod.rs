@@ -20,7 +20,7 @@ pub use sampling::CurveSample;
 use sampling::samples;
 
 use crate::error::Result;
-use crate::outputs::path::follow;
+use crate::outputs::path::{edges, follow};
 use crate::scene::Scene;
 use crate::solve;
 
@@ -70,6 +70,8 @@ pub struct Diagram {
     medium: Medium<f64>,
     /// The branches, by increasing radius; neighbours share the point of their fold.
     pub branches: Vec<Branch>,
+    /// With two works of adhesion, the branches of an advancing edge: `branches` and all else are those of a receding one.
+    pub advancing: Vec<Branch>,
     /// The states in which the contact edge stays at a vertical edge: from the first state on, along a straight line.
     pub wall: Option<[State; 2]>,
     /// The folds within the range of radii.
@@ -122,10 +124,22 @@ impl Scene {
                 .of("profile")
                 .refuse("a drawing shows equilibria, and needs [material] in the scene"));
         }
+        let values = |model: &solve::model::Model<f64>| -> Vec<f64> {
+            self.values.iter().map(|literal| model.number(literal)).collect()
+        };
+        if self.has_two_works() {
+            return solve::drawn_between(self, REACH, |model, [advancing, receding]| {
+                let follow = || edges::follow(model, [advancing, receding], self);
+                let events = if self.path.is_empty() { Vec::new() } else { follow()?.events };
+                let mut diagram = Diagram::new(receding, &events, &values(model), radius)?;
+                let largest = diagram.samples().next_back().map(|sample| sample.contact_radius);
+                diagram.advancing = Diagram::new(advancing, &[], &[], largest)?.branches;
+                Ok(diagram)
+            });
+        }
         solve::drawn(self, REACH, |model, branches| {
             let events = if self.path.is_empty() { Vec::new() } else { follow(model, branches, self)?.events };
-            let values: Vec<f64> = self.values.iter().map(|literal| model.number(literal)).collect();
-            Diagram::new(branches, &events, &values, radius)
+            Diagram::new(branches, &events, &values(model), radius)
         })
     }
 }
@@ -134,6 +148,15 @@ impl Diagram {
     /// The points of the curve of equilibria by increasing radius; the radius of a fold comes twice, once on each branch.
     pub fn samples(&self) -> impl DoubleEndedIterator<Item = &CurveSample> {
         self.branches.iter().flat_map(|branch| &branch.samples)
+    }
+
+    /// The points of the curve on which an edge moves from one radius to another.
+    pub fn samples_between(&self, from: f64, to: f64) -> impl DoubleEndedIterator<Item = &CurveSample> {
+        let advances = to > from && !self.advancing.is_empty();
+        let branches = if advances { &self.advancing } else { &self.branches };
+        let (lower, upper) = (from.min(to), from.max(to));
+        let samples = branches.iter().flat_map(|branch| &branch.samples);
+        samples.filter(move |sample| sample.contact_radius > lower && sample.contact_radius < upper)
     }
 
     /// The states between the two ends of a jump, out of equilibrium: at each contact radius, the indentation depth and the force
@@ -197,6 +220,7 @@ impl Diagram {
             effective_modulus: *curve.modulus(),
             medium: curve.medium().clone(),
             branches: cut(branches, &nodes, &all),
+            advancing: Vec::new(),
             wall: wall(curve, upper)?,
             folds: folds.into_iter().filter(|fold| fold.indentation.is_finite()).map(at_fold).collect(),
             held,

@@ -110,6 +110,10 @@ impl Contact {
     /// A number that no double holds; a parameter out of its domain.
     pub fn new(scene: &Scene) -> crate::Result<Self> {
         scene.places.require_doubles("ask for certified digits")?;
+        if scene.has_two_works() {
+            let why = "states in columns are those of one work of adhesion: give the one of the edge that is meant";
+            return Err(scene.places.of("material.work_of_adhesion").refuse(why));
+        }
         if !scene.medium.is_half_space() {
             let name = scene.medium.name();
             let why = format!(

@@ -1,7 +1,7 @@
 //! The output `equilibria`: all equilibria at values of the controlled quantity.
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{self, Result, Stability};
+use mdr_core::contact::{self, Edge, Result, Stability};
 #[cfg(feature = "mp")]
 use mdr_core::contact::{Control, Error, Quantity};
 #[cfg(feature = "mp")]
@@ -14,10 +14,11 @@ use mdr_numeric::{branch::EquilibriumBranches, proof::ProvedBranches};
 use super::key::Key;
 use super::room::{Facts, Open, Room as IsRoom, Subject};
 use super::{Output, OutputKind, Want};
+use crate::answer::List;
 use crate::answer::record::{Numbers, record};
 use crate::answer::{Admission, AtValue, PlainState, Value};
 #[cfg(feature = "mp")]
-use crate::answer::{Completeness, List, Promise};
+use crate::answer::{Completeness, Promise};
 use crate::scene::Scene;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
@@ -43,13 +44,15 @@ record! {
         stability: Stability,
         /// Whether the state is admissible.
         admissible: Admission<N>,
+        /// With two works of adhesion, the edge that is in equilibrium.
+        edge: Option<Edge>,
     }
 }
 
 impl<N> Equilibrium<N> {
     pub(crate) fn new(state: contact::Equilibrium<N>, verdict: Verdict) -> Self {
         let PlainState { contact_radius, indentation, force, stability } = state.into();
-        Equilibrium { contact_radius, indentation, force, stability, admissible: Admission::of(verdict) }
+        Equilibrium { contact_radius, indentation, force, stability, admissible: Admission::of(verdict), edge: None }
     }
 }
 
@@ -73,6 +76,25 @@ pub(super) struct Room<'w> {
 impl<'w> IsRoom<'w> for Room<'w> {
     fn values(&self) -> &'w [Literal] {
         self.at
+    }
+
+    fn has_edges(&self) -> bool {
+        true
+    }
+
+    /// At each value the states of both edges, by increasing radius.
+    fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
+        let [Output::Equilibria(advancing), Output::Equilibria(receding)] = outputs else { return None };
+        let of = |edge: Edge| {
+            move |at: AtValue<Equilibrium>| {
+                let items = at.items.into_iter().map(|state| Equilibrium { edge: Some(edge), ..state }).collect();
+                AtValue { items, ..at }
+            }
+        };
+        let receding = receding.map(of(Edge::Receding));
+        let (mut all, items) = (advancing.map(of(Edge::Advancing)), receding.items);
+        all.items = std::mem::take(&mut all.items).into_iter().zip(items).map(|(one, other)| one.and(other)).collect();
+        Some(Output::Equilibria(all.and(List { items: Vec::new(), ..receding })))
     }
 
     fn missing(&self) -> Option<&'static str> {

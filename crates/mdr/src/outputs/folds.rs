@@ -1,10 +1,10 @@
 //! The output `folds`: where branches of equilibria lose their stability.
 
 #[cfg(feature = "mp")]
-use mdr_core::calculus::Estimate;
-use mdr_core::contact::{self, FoldKind, Result};
+use mdr_analytic::certified;
 #[cfg(feature = "mp")]
-use mdr_core::contact::{Control, Regime};
+use mdr_core::calculus::Estimate;
+use mdr_core::contact::{self, Edge, FoldKind, Regime, Result, Status};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
@@ -44,6 +44,8 @@ record! {
         kind: FoldKind,
         /// Whether the state is admissible.
         admissible: Admission<N>,
+        /// With two works of adhesion, the edge whose fold it is.
+        edge: Option<Edge>,
     }
 }
 
@@ -56,7 +58,20 @@ impl<N> Fold<N> {
             force: Value::Known(force),
             kind,
             admissible: Admission::of(verdict),
+            edge: None,
         }
+    }
+}
+
+impl Fold {
+    /// The quantities of the state, in the order of a, d and F.
+    pub fn values(&self) -> [&Value; 3] {
+        [&self.contact_radius, &self.indentation, &self.force]
+    }
+
+    /// `Ok`, or the status of the first quantity out of range.
+    pub fn status(&self) -> Status {
+        self.values().into_iter().map(Value::status).find(|status| *status != Status::Ok).unwrap_or(Status::Ok)
     }
 }
 
@@ -95,7 +110,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn by_law(&self, law: &PowerLaw<'_>) -> Result<Option<Output>> {
-        let folds = List::new(Promise::Certified, of_law(law)?);
+        let folds = List::new(Promise::Certified, of_answer(law.question.answer(law.digits)?));
         Ok(Some(Output::Folds(folds.complete(power_law::complete()))))
     }
 
@@ -120,6 +135,17 @@ impl<'w> IsRoom<'w> for Room<'w> {
         let folds: Vec<_> =
             search.folds()?.folds.iter().map(|fold| judged(&search.model, fold.clone(), &admissibility)).collect();
         Ok(Output::Folds(search::list(folds).complete(search.completeness()?)))
+    }
+
+    fn has_edges(&self) -> bool {
+        true
+    }
+
+    fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
+        let [Output::Folds(advancing), Output::Folds(receding)] = outputs else { return None };
+        let of = |edge: Edge| move |fold: Fold| Fold { edge: Some(edge), ..fold };
+        let [advancing, receding] = [advancing.map(of(Edge::Advancing)), receding.map(of(Edge::Receding))];
+        Some(Output::Folds(advancing.and(receding)))
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {
@@ -154,27 +180,25 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
 }
 
-/// The folds of a power law, correctly rounded.
+/// The folds of a power law by its closed forms: of a machine all of them, else the critical state.
 #[cfg(feature = "mp")]
-fn of_law(law: &PowerLaw<'_>) -> Result<Vec<Fold>> {
-    let answer = law.question.answer(law.digits)?;
-    let kind = match answer.regime {
+pub(crate) fn of_answer(answer: certified::Answer) -> Vec<Fold> {
+    let kind = kind(answer.regime);
+    let critical = answer.critical.map(|state| contact::Fold {
+        contact_radius: state.contact_radius,
+        indentation: state.indentation,
+        force: state.force,
+        kind,
+    });
+    let folds = if answer.folds.is_empty() { critical.into_iter().collect() } else { answer.folds };
+    let written = |fold| Fold::new(fold, Verdict::Admissible).convert(Number::Certified);
+    folds.into_iter().map(written).collect()
+}
+
+/// The kind of the fold of a power law under fixed grips or a dead load.
+pub(crate) fn kind(regime: Regime) -> FoldKind {
+    match regime {
         Regime::CompleteContact => FoldKind::Maximum,
         _ => FoldKind::Minimum,
-    };
-    let folds = match &law.scene.control {
-        Control::Machine { .. } => answer.folds,
-        _ => answer
-            .critical
-            .map(|c| contact::Fold {
-                contact_radius: c.contact_radius,
-                indentation: c.indentation,
-                force: c.force,
-                kind,
-            })
-            .into_iter()
-            .collect(),
-    };
-    let written = |fold| Fold::new(fold, Verdict::Admissible).convert(Number::Certified);
-    Ok(folds.into_iter().map(written).collect())
+    }
 }

@@ -2,8 +2,8 @@
 //!
 //! A room is a module that says all of one output: the keys of its question, its record with the headings and units of the
 //! columns, how it is computed in f64, in two precisions and over enclosures, its closed form for power laws where there is one,
-//! and what is left of it where it cannot be computed. An output is added by its room, its entry in the list below, and its
-//! section in docs/scenes.md.
+//! and what is left of it where it cannot be computed. An output is added by three files: its room; this one, with its `mod`, its
+//! records and its entry in the list below; and docs/scenes.md, with its row.
 
 #![cfg_attr(
     not(any(feature = "toml", feature = "serde")),
@@ -15,7 +15,7 @@ mod displacement;
 mod energy;
 mod equilibria;
 mod fields;
-mod folds;
+pub(crate) mod folds;
 mod force_curve;
 mod gap;
 pub(crate) mod key;
@@ -39,14 +39,21 @@ use crate::answer::{Answer, AtValue, Column, Completeness, List, NumberStyle, Pr
 use crate::answer::{Number, Value};
 use crate::scene::Scene;
 
-pub use curve::{CurvePoint, CurveStability};
-pub use energy::EnergyState;
-pub use equilibria::Equilibrium;
-pub use fields::{Field, FieldSample, FieldState};
-pub use folds::Fold;
-pub use force_curve::{CurveSummary, ForceCurve, ForceSample, POINTS};
-pub use path::{Balance, Dissipation, LoadingPath, PathEvent};
-pub use transform::TransformSample;
+pub use force_curve::POINTS;
+
+use records::*;
+
+/// The records of all outputs, as [`answer`](crate::answer) has them.
+pub(crate) mod records {
+    pub use super::curve::{CurvePoint, CurveStability};
+    pub use super::energy::EnergyState;
+    pub use super::equilibria::Equilibrium;
+    pub use super::fields::{Field, FieldSample, FieldState};
+    pub use super::folds::Fold;
+    pub use super::force_curve::{CurveSummary, ForceCurve, ForceSample};
+    pub use super::path::{Balance, Dissipation, LoadingPath, PathEvent};
+    pub use super::transform::TransformSample;
+}
 
 /// The type of the content in [`Output`]: boxed where it is large.
 macro_rules! stored {

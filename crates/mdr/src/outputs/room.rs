@@ -63,6 +63,16 @@ pub(crate) trait Room<'w> {
         None
     }
 
+    /// Whether it is answered for two works of adhesion.
+    fn has_edges(&self) -> bool {
+        false
+    }
+
+    /// The outputs at the work of adhesion of an advancing and of a receding edge as one, where it is made of the two.
+    fn of_edges(&self, _: [Output; 2]) -> Option<Output> {
+        None
+    }
+
     /// Whether a scene is refused in which its path cannot start.
     fn needs_start(&self) -> bool {
         false

@@ -21,7 +21,13 @@ impl Scene {
             add("e_star", "Pa", self.effective_modulus.to_string());
         }
         if self.has_material {
-            add("work_of_adhesion", "J/m²", self.work_of_adhesion.to_string());
+            match &self.works {
+                None => add("work_of_adhesion", "J/m²", self.work_of_adhesion.to_string()),
+                Some(works) => {
+                    add("advancing_work_of_adhesion", "J/m²", works[0].to_string());
+                    add("receding_work_of_adhesion", "J/m²", works[1].to_string());
+                }
+            }
         }
         if self.names_control() {
             add("control", "", self.control.kind().name().to_owned());

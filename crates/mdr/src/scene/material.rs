@@ -26,6 +26,23 @@ pub(super) fn effective_modulus(elasticity: &Elasticity) -> Result<Literal> {
     }
 }
 
+/// w₁ and w₂ if they differ, with w₁ checked; `place` is where w₁ stands.
+pub(super) fn works(advancing: Literal, receding: Literal, place: &Location) -> Result<Option<Box<[Literal; 2]>>> {
+    if advancing.is_negative() {
+        return Err(place.refuse(format!("must not be negative, got {}", excerpt(&advancing.to_string()))));
+    }
+    match advancing.compare(&receding) {
+        Ordering::Less => Ok(Some(Box::new([advancing, receding]))),
+        Ordering::Equal => Ok(None),
+        Ordering::Greater => Err(place.refuse(format!(
+            "an advancing edge gains at most what a receding one needs, {}, got {}: exchange the two if they are the other way \
+             round",
+            excerpt(&receding.to_string()),
+            excerpt(&advancing.to_string())
+        ))),
+    }
+}
+
 /// Why a Poisson's ratio cannot be one.
 pub(super) fn refused_ratio(ratio: &Literal) -> Option<String> {
     let above = ratio.compare(&Literal::from(-1)) == Ordering::Greater;

@@ -118,6 +118,11 @@ impl Medium {
         *self == Medium::HalfSpace
     }
 
+    /// Whether its contacts are strips.
+    pub(super) fn is_of_strips(&self) -> bool {
+        matches!(self, Medium::Plane { .. } | Medium::Periodic { .. })
+    }
+
     /// Whether E* of the material is of use.
     pub(super) fn needs_modulus(&self) -> bool {
         !matches!(self, Medium::Graded { .. } | Medium::Winkler { .. })

@@ -18,7 +18,7 @@ mod read;
 pub(crate) mod tree;
 mod want;
 
-use mdr_core::contact::{Control, Elasticity};
+use mdr_core::contact::{Control, Edge, Elasticity};
 use mdr_core::number::{Exact, Literal};
 
 use crate::answer::{Answer, OutputKind};
@@ -72,6 +72,10 @@ pub struct Scene {
     pub(crate) effective_modulus: Literal,
     /// w, exactly as given. One if there is no material, and no requested output depends on it.
     pub(crate) work_of_adhesion: Literal,
+    /// w₁ and w₂, if they differ.
+    pub(crate) works: Option<Box<[Literal; 2]>>,
+    /// The edge whose work of adhesion alone is considered, if there are two.
+    pub(crate) edge: Option<Edge>,
     /// z₀, if the scene requests whether the theory holds.
     pub(crate) range_of_adhesion: Option<Literal>,
     has_material: bool,
@@ -119,10 +123,12 @@ impl Scene {
         Scene {
             effective_modulus,
             work_of_adhesion,
+            works: None,
+            edge: None,
             range_of_adhesion: None,
             has_material: false,
             has_control: false,
-            medium: Medium::HalfSpace,
+            medium: Medium::default(),
             profile,
             control: Control::Indentation,
             path: Vec::new(),
@@ -135,6 +141,51 @@ impl Scene {
             given: Vec::new(),
             places,
         }
+    }
+
+    /// Sets the work of adhesion w₁ that an advancing edge gains, from 0 to w₂ = w, that of [`new`](Scene::new), which a receding
+    /// edge needs. Between the two the edge of the contact is pinned, and paths have hysteresis.
+    ///
+    /// ```
+    /// use mdr::prelude::*;
+    /// let ball = Scene::new(Shape::Paraboloid { radius: 1 }, Elasticity::effective(1)?, "0.04")?;
+    /// let path = ball
+    ///     .advancing_work_of_adhesion("0.01")?
+    ///     .path(["-0.2", "0.05", "-0.2"])?
+    ///     .start(Start::Detached)
+    ///     .want(Want::Path)
+    ///     .arithmetic(Arithmetic::Double);
+    /// let answer = path.solve()?;
+    /// let kinds: Vec<&str> = answer.path().expect("wanted").events.items.iter().map(|event| event.event.name()).collect();
+    /// assert_eq!(kinds, ["start", "jump-in", "way-point", "pinned", "depinned", "detached", "end"]);
+    /// # Ok::<(), mdr::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A number that is none, is negative, or larger than w₂.
+    pub fn advancing_work_of_adhesion(mut self, work: impl Exact) -> Result<Self> {
+        let place = Location::built("material.work_of_adhesion.advancing");
+        let advancing = work.exact()?;
+        self.works = material::works(advancing.clone(), self.work_of_adhesion.clone(), &place)?;
+        self.places.numbers.push((advancing, place));
+        Ok(self)
+    }
+
+    /// Whether an advancing and a receding edge have different works of adhesion.
+    pub fn has_two_works(&self) -> bool {
+        self.works.is_some() && self.edge.is_none()
+    }
+
+    /// The scene with the work of adhesion of one edge alone.
+    pub(crate) fn at(&self, edge: Edge) -> Self {
+        let mut scene = Scene { edge: Some(edge), ..self.clone() };
+        // Without adhesion there is still a length of the material, which searches begin with.
+        if let (Some(works), Edge::Advancing) = (&self.works, edge)
+            && !works[0].is_zero()
+        {
+            scene.work_of_adhesion = works[0].clone();
+        }
+        scene
     }
 
     /// Sets the control; the stiffness of a machine in N/m.
@@ -312,6 +363,21 @@ impl Scene {
                 let (name, rows) = (want.name(), want.rows());
                 let why = "ask for fewer values or radii, or in several scenes";
                 let why = format!("`{name}` would have {rows} rows; at most {MOST_ROWS} are computed: {why}");
+                return Err(self.places.of("output.want").refuse(why));
+            }
+            if self.has_two_works() && !want.kind().is_of_profile() && self.medium.is_of_strips() {
+                let name = self.medium.name();
+                let why = format!(
+                    "two works of adhesion are available on a half-space, `graded` and `winkler`, got `{name}`: give one number"
+                );
+                return Err(self.places.of("material.work_of_adhesion").refuse(why));
+            }
+            if self.has_two_works() && !want.kind().is_of_profile() && !want.room().has_edges() {
+                let (name, works) = (want.name(), "work_of_adhesion = { advancing = \"…\", receding = \"…\" }");
+                let why = "give the one work of adhesion of the edge that is meant, or want `path`, `force-curve`, `folds` or \
+                           `equilibria`";
+                let why =
+                    format!("`{name}` describes states at one work of adhesion, and the scene has {works}: {why}");
                 return Err(self.places.of("output.want").refuse(why));
             }
             if let Some(missing) = want.missing(self.has_material, &self.path) {

@@ -81,7 +81,7 @@ fn read(top: &Section<'_>) -> Result<Scene> {
     let medium = pressed.as_ref().map(Medium::read).transpose()?.unwrap_or_default();
     let moduli = top.optional_section("material")?;
     let material_of = |section: &Section<'_>| material_of(section, &medium);
-    let (modulus, work, range) = moduli.as_ref().map_or(Ok((1.into(), 1.into(), None)), material_of)?;
+    let (modulus, work, range, works) = moduli.as_ref().map_or(Ok((1.into(), 1.into(), None, None)), material_of)?;
     let shape = top.section("profile")?;
     let before = numbers.borrow().len();
     let profile = Profile::read(&shape)?;
@@ -91,7 +91,7 @@ fn read(top: &Section<'_>) -> Result<Scene> {
     }
     let places = Places { read: vec![("profile", shape.place())], numbers: Vec::new(), parameters };
     let mut scene = Scene::blank(profile, modulus, work, places).on(medium);
-    (scene.has_material, scene.range_of_adhesion) = (moduli.is_some(), range);
+    (scene.has_material, scene.range_of_adhesion, scene.works) = (moduli.is_some(), range, works);
     let read = &mut scene.places.read;
     if let Some(section) = &moduli {
         read.push(("material.e_star", section.place_of(&["e_star", "body"])));
@@ -119,9 +119,25 @@ fn read(top: &Section<'_>) -> Result<Scene> {
     Ok(scene)
 }
 
-/// The table `[material]`: E*, w and the range of adhesion.
-fn material_of(section: &Section<'_>, medium: &Medium) -> Result<(Literal, Literal, Option<Literal>)> {
-    let work = section.required("work_of_adhesion")?.positive(SiUnit::JoulePerSquareMetre)?;
+/// One work of adhesion, or two: w₂, and both if they differ.
+fn works_of(value: &Value<'_>) -> Result<(Literal, Works)> {
+    if !value.is_table() {
+        return Ok((value.positive(SiUnit::JoulePerSquareMetre)?, None));
+    }
+    let section = value.section()?;
+    let (advancing, receding) = (section.required("advancing")?, section.required("receding")?);
+    let work = receding.positive(SiUnit::JoulePerSquareMetre)?;
+    let works = material::works(advancing.number(SiUnit::JoulePerSquareMetre)?, work.clone(), &advancing.place())?;
+    section.finish()?;
+    Ok((work, works))
+}
+
+/// w₁ and w₂ if they differ.
+type Works = Option<Box<[Literal; 2]>>;
+
+/// The table `[material]`: E*, w or w₂, the range of adhesion, and both works of adhesion if there are two.
+fn material_of(section: &Section<'_>, medium: &Medium) -> Result<(Literal, Literal, Option<Literal>, Works)> {
+    let (work, works) = works_of(&section.required("work_of_adhesion")?)?;
     let given = section.optional("e_star").is_some() || section.optional("body").is_some();
     let modulus = match section.one_of(&["e_star", "body"]) {
         // The medium has its own.
@@ -130,7 +146,7 @@ fn material_of(section: &Section<'_>, medium: &Medium) -> Result<(Literal, Liter
     };
     let range = section.optional("range_of_adhesion").map(|range| range.positive(SiUnit::Metre)).transpose()?;
     section.finish()?;
-    Ok((modulus, work, range))
+    Ok((modulus, work, range, works))
 }
 
 /// E* by one of its keys.

@@ -280,6 +280,11 @@ impl<'a> Value<'a> {
         self.list()?.iter().map(|value| read(value, unit)).collect()
     }
 
+    /// Whether it is a table of keys.
+    pub fn is_table(&self) -> bool {
+        matches!(self.node.content, Content::Table(_))
+    }
+
     /// The text of a string.
     ///
     /// # Errors

@@ -30,7 +30,7 @@ const PROVED_ROWS: usize = 100;
 pub(crate) struct Certified<'s> {
     pub(crate) scene: &'s Scene,
     pub(crate) digits: u32,
-    counts: &'s Counts,
+    pub(crate) counts: &'s Counts,
     search: Once<Search<'s>>,
     folds: Once<Option<FoldProof>>,
     admissibility: Once<Arc<Admissibility>>,

@@ -160,8 +160,8 @@ pub(crate) fn agree<T: Numbers<Estimate<Float>> + Clone>(
             return Ok(written(records, decided, Number::Estimated, &why));
         }
         // The fine one may have all its digits already, but the coarse one did not.
-        let dissipated = next_precision(start(digits), tried, still_open(&enclosures, &decided).map(Some));
-        next = Precision::new(dissipated.bits().clamp(next.bits(), MOST * start(digits).bits()));
+        let needed = next_precision(start(digits), tried, still_open(&enclosures, &decided).map(Some));
+        next = Precision::new(needed.bits().clamp(next.bits(), MOST * start(digits).bits()));
         coarse = fine;
         attempt += 1;
     }

@@ -3,109 +3,16 @@
 use mdr_analytic::profiles::Sum;
 use mdr_core::contact::{Body, Error, Quantity, Result, Shape, Status, Transform};
 #[cfg(feature = "mp")]
-use mdr_core::number::{Dual, Interval};
-use mdr_core::number::{Gamma, Literal, Special};
+use mdr_core::number::Interval;
+use mdr_core::number::Literal;
 use mdr_numeric::medium;
 use mdr_numeric::path::EventKind;
 use mdr_numeric::profiles::Heights;
-use mdr_numeric::transform::{Line, Periodic, Powers, Wave, Weighted, graded_kappa};
+use mdr_numeric::transform::{LineLoad, Periodic, Powers, Wave, Weighted};
 
 use super::model::{SceneReal, by_formulas};
 use crate::answer::{Output, Value};
 use crate::scene::{Formula, Grading, Medium, Profile, Scene};
-
-/// Functions of the exponents alone, which involve the Gamma function; over dual numbers they are constants.
-pub(crate) trait GradedReal: Special {
-    /// κ(n, k).
-    fn kappa_of_grade(n: &Self, k: &Self) -> Self;
-
-    /// h_N(k, ν), see [`stiffness_of_grade`].
-    fn factor_of_grade(k: &Self, nu: &Self) -> Self;
-}
-
-/// h_N(k, ν) = 2(1 + k) cos(kπ/2) Γ(1 + k/2)/(√π C β sin(βπ/2) Γ((1 + k)/2)), where β² = (1 + k)(1 − kν/(1 − ν)) and
-/// C = 2^(1+k) Γ((3 + k + β)/2) Γ((3 + k − β)/2)/(π Γ(2 + k)): c of one graded body is h_N E/((1 − ν²)z₀ᵏ) (A. E. Giannakopoulos
-/// and S. Suresh, Int. J. Solids Struct. 34 (1997) 2357).
-fn factor_of_grade<R: Gamma + Special>(k: &R, nu: &R) -> R {
-    let one = k.lit(1);
-    let order = one.clone() + k;
-    let beta = (order.clone() * (one.clone() - k.clone() * nu / (one.clone() - nu))).sqrt();
-    let half_of_pi = k.pi().over(2);
-    let ends = [k.lit(3) + k + &beta, k.lit(3) + k - &beta].map(|end| end.over(2).gamma());
-    let [first, second] = ends;
-    let c = k.lit(2).pow(&order) * first * second / (k.pi() * (k.lit(2) + k).gamma());
-    let top = order.clone().times(2) * (half_of_pi.clone() * k).cos() * (one + k.clone().over(2)).gamma();
-    top / (k.pi().sqrt() * c * &beta * (half_of_pi * &beta).sin() * order.over(2).gamma())
-}
-
-/// By an enclosure of 160 bits, which leaves the rounding alone.
-#[cfg(feature = "mp")]
-impl GradedReal for f64 {
-    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
-        use mdr_core::number::Real;
-        let [n, k] = [n, k].map(|x| enclosed(*x));
-        graded_kappa(&n, &k).approx()
-    }
-
-    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
-        use mdr_core::number::Real;
-        let [k, nu] = [k, nu].map(|x| enclosed(*x));
-        factor_of_grade(&k, &nu).approx()
-    }
-}
-
-#[cfg(feature = "mp")]
-fn enclosed(x: f64) -> Interval {
-    use mdr_core::number::Real;
-    Interval::from_f64(mdr_core::number::Precision::new(160), x)
-}
-
-#[cfg(not(feature = "mp"))]
-impl GradedReal for f64 {
-    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
-        graded_kappa(n, k)
-    }
-
-    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
-        factor_of_grade(k, nu)
-    }
-}
-
-/// With thirty-two guard bits.
-#[cfg(feature = "mp")]
-impl GradedReal for rug::Float {
-    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
-        let [wide_n, wide_k] = [n, k].map(|x| rug::Float::with_val(n.prec() + 32, x));
-        rug::Float::with_val(n.prec(), graded_kappa(&wide_n, &wide_k))
-    }
-
-    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
-        let [wide_k, wide_nu] = [k, nu].map(|x| rug::Float::with_val(k.prec() + 32, x));
-        rug::Float::with_val(k.prec(), factor_of_grade(&wide_k, &wide_nu))
-    }
-}
-
-#[cfg(feature = "mp")]
-impl GradedReal for Interval {
-    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
-        graded_kappa(n, k)
-    }
-
-    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
-        factor_of_grade(k, nu)
-    }
-}
-
-#[cfg(feature = "mp")]
-impl GradedReal for Dual<Interval> {
-    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
-        Dual::constant(graded_kappa(&n.value, &k.value))
-    }
-
-    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
-        Dual::constant(factor_of_grade(&k.value, &nu.value))
-    }
-}
 
 /// c of a graded half-space: as given, or 1/c = z₀ᵏ Σ (1 − ν²)/(h_N E).
 fn stiffness_of_grade<R: SceneReal>(ctx: R::Ctx, k: &R, stiffness: &Grading) -> R {
@@ -137,7 +44,6 @@ pub(crate) fn medium_of<R: SceneReal>(scene: &Scene, ctx: R::Ctx, given: Option<
     let number = |literal: &Literal| R::from_literal(ctx, literal);
     let modulus = || given.clone().unwrap_or_else(|| number(&scene.effective_modulus));
     match &scene.medium {
-        Medium::HalfSpace => medium::Medium::half_space(modulus()),
         Medium::Graded { exponent, stiffness } => {
             let exponent = number(exponent);
             let c = given.clone().unwrap_or_else(|| stiffness_of_grade(ctx, &exponent, stiffness));
@@ -146,6 +52,7 @@ pub(crate) fn medium_of<R: SceneReal>(scene: &Scene, ctx: R::Ctx, given: Option<
         Medium::Winkler { modulus } => medium::Medium::winkler(given.unwrap_or_else(|| number(modulus))),
         Medium::Plane { reference } => medium::Medium::plane(modulus(), reference.as_ref().map(number)),
         Medium::Periodic { wavelength, .. } => medium::Medium::periodic(modulus(), number(wavelength)),
+        _ => medium::Medium::half_space(modulus()),
     }
 }
 
@@ -169,7 +76,7 @@ impl Scene {
     /// Whether the transform of the profile on the medium is a closed form; otherwise it is a quadrature or measured.
     pub(crate) fn is_closed(&self) -> bool {
         match &self.medium {
-            Medium::HalfSpace => self.profile.is_closed(),
+            medium if medium.is_half_space() => self.profile.is_closed(),
             Medium::Periodic { .. } => matches!(self.profile, Profile::Wave(_)),
             _ => powers(&self.profile).is_some(),
         }
@@ -254,16 +161,16 @@ pub(crate) fn transform<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<Box<
     let accepted = R::accepted(scene, ctx);
     let number = |literal: &Literal| R::from_literal(ctx, literal);
     let of_medium = match &scene.medium {
-        Medium::HalfSpace => {
-            let formulas = &|formula: &Formula| R::of_formula(formula, ctx);
-            return by_formulas(&scene.profile, ctx, &mut |literal| number(literal), accepted.as_ref(), formulas);
-        }
         Medium::Periodic { wavelength, .. } => {
             return periodic(&scene.profile, ctx, number(wavelength), accepted);
         }
         Medium::Graded { exponent, .. } => OfMedium::Graded(number(exponent)),
         Medium::Winkler { .. } => OfMedium::Winkler,
         Medium::Plane { .. } => OfMedium::Line,
+        _ => {
+            let formulas = &|formula: &Formula| R::of_formula(formula, ctx);
+            return by_formulas(&scene.profile, ctx, &mut |literal| number(literal), accepted.as_ref(), formulas);
+        }
     };
     let reference = match &scene.medium {
         Medium::Plane { reference } => reference.as_ref().map(number),
@@ -273,13 +180,13 @@ pub(crate) fn transform<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<Box<
         let terms = terms.into_iter().map(|(shape, power)| term::<R>(ctx, shape, power));
         let sum = Powers::new(terms.map(|(n, c)| of_medium.power(n, c)))?;
         return Ok(match of_medium {
-            OfMedium::Line => Box::new(Line::of_powers(sum, reference)),
+            OfMedium::Line => Box::new(LineLoad::of_powers(sum, reference)),
             _ => Box::new(sum),
         });
     }
     let whole = quadrature(&scene.profile, ctx, &of_medium, accepted.as_ref())?;
     Ok(match of_medium {
-        OfMedium::Line => Box::new(Line::new(whole, reference)),
+        OfMedium::Line => Box::new(LineLoad::new(whole, reference)),
         _ => whole,
     })
 }

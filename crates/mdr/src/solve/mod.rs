@@ -18,6 +18,7 @@ mod admissible;
 pub(crate) mod certified;
 #[cfg(feature = "mp")]
 pub(crate) mod digits;
+mod graded;
 #[cfg(feature = "mp")]
 pub(crate) mod law_branches;
 mod media;
@@ -41,7 +42,7 @@ mod weight;
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use mdr_core::contact;
+use mdr_core::contact::{self, Edge};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
@@ -109,7 +110,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     Ok(Answer {
         arithmetic: scene.arithmetic,
         profile: scene.profile.name(),
-        medium: scene.medium.name(),
+        medium: (!scene.medium.is_half_space()).then(|| scene.medium.name()),
         force_unit: scene.medium.force_unit(),
         control: scene.names_control().then(|| scene.control.kind()),
         notes,
@@ -175,6 +176,24 @@ pub(crate) fn drawn<T>(
     draw(&model, &branches).map_err(|error| solver.complaint(&Want::Path, error))
 }
 
+/// The branches of an advancing and of a receding edge in f64, `octaves` beyond their folds, for a drawing.
+pub(crate) fn drawn_between<T>(
+    scene: &Scene,
+    octaves: i64,
+    draw: impl FnOnce(&Model<f64>, [&SearchedBranches<f64>; 2]) -> contact::Result<T>,
+) -> Result<T> {
+    let counts = Stop::default().counts();
+    let of = |edge: Edge| {
+        let scene = scene.at(edge);
+        let solver = Solver::new(&scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+        let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
+        Ok::<_, Error>((states::branches(&model, folds, octaves), model))
+    };
+    let [(advancing, _), (receding, model)] = [of(Edge::Advancing)?, of(Edge::Receding)?];
+    let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
+    draw(&model, [&advancing, &receding]).map_err(|error| solver.complaint(&Want::Path, error))
+}
+
 /// A scene in the arithmetic that it asks for.
 struct Solver<'s> {
     scene: &'s Scene,
@@ -209,15 +228,30 @@ impl<'s> Solver<'s> {
         })
     }
 
-    #[cfg(not(feature = "mp"))]
+    /// The output; with two works of adhesion made of those at each, unless it follows the path between them.
+    ///
+    /// # Errors
+    /// Errors of the transform, of the quadratures and of the proofs; a decision that no precision makes.
     fn output_of(&self, want: &Want) -> contact::Result<Output> {
+        if !self.scene.has_two_works() || want.kind().is_of_profile() || want.kind().moves() {
+            return self.output_of_one(want);
+        }
+        let of = |edge: Edge| {
+            let scene = self.scene.at(edge);
+            Solver::new(&scene, self.counts)?.output_of_one(want)
+        };
+        want.room().of_edges([of(Edge::Advancing)?, of(Edge::Receding)?]).ok_or_else(unanswered)
+    }
+
+    #[cfg(not(feature = "mp"))]
+    fn output_of_one(&self, want: &Want) -> contact::Result<Output> {
         let Route::Search(search) = &self.route;
         Provider::Search(search).output(&*want.room())?.ok_or_else(unanswered)
     }
 
     /// The output of the first provider that has it, in the arithmetic of the scene.
     #[cfg(feature = "mp")]
-    fn output_of(&self, want: &Want) -> contact::Result<Output> {
+    fn output_of_one(&self, want: &Want) -> contact::Result<Output> {
         let room = want.room();
         let law = if want.kind().is_of_profile() { None } else { PowerLaw::of(self.scene)? };
         let beyond;

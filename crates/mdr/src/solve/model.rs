@@ -5,7 +5,7 @@ use std::sync::Arc;
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{self, Control, CountingTransform, Error, ExpressionError, Quantity, Result, Transform};
+use mdr_core::contact::{self, Control, CountingTransform, Edge, Error, ExpressionError, Quantity, Result, Transform};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Dual, Interval, Precision};
@@ -16,7 +16,8 @@ use mdr_numeric::transform::Quadrature;
 #[cfg(feature = "mp")]
 use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
 
-use super::media::{self, GradedReal};
+use super::graded::GradedReal;
+use super::media;
 use super::weight::weight;
 use crate::run::Counts;
 use crate::scene::{Formula, Profile, Scene, Start};
@@ -99,10 +100,15 @@ impl<R: SceneReal> Model<R> {
     pub(crate) fn new(scene: &Scene, ctx: R::Ctx, counts: &Counts) -> Result<Self> {
         let number = |literal: &Literal| R::from_literal(ctx, literal);
         let medium = media::medium(scene, ctx)?;
-        let adhesion = Adhesion::new(number(&scene.work_of_adhesion))?;
+        let adhesion = adhesion(scene, |literal| Ok(number(literal)))?;
         let control =
             scene.control.try_map(|stiffness| Error::require_positive(Quantity::Stiffness, number(stiffness)))?;
         Self::with(scene, ctx, (medium, adhesion), control, counts)
+    }
+
+    /// The contact at the work of adhesion of one edge.
+    pub(crate) fn at(&self, edge: Edge) -> Self {
+        Model { ctx: self.ctx, contact: self.contact.at(edge) }
     }
 
     fn with(
@@ -191,12 +197,23 @@ impl Model<f64> {
             return Err(Error::Domain { quantity, value: number.to_string(), requirement });
         }
         let medium = media::medium_of(scene, (), Some(1.0))?;
-        let adhesion = Adhesion::new(over_modulus(scene, Quantity::WorkOfAdhesion, &scene.work_of_adhesion)?)?;
+        let adhesion = adhesion(scene, |literal| over_modulus(scene, Quantity::WorkOfAdhesion, literal))?;
         let control = scene.control.try_map(|stiffness| {
             let ratio = over_modulus(scene, Quantity::Stiffness, stiffness)?;
             Error::require_positive(Quantity::Stiffness, ratio)
         })?;
         Self::with(scene, (), (medium, adhesion), control, counts)
+    }
+}
+
+/// The adhesion of a scene: that of an edge, or of both, of which the receding one is considered.
+fn adhesion<R: SceneReal>(scene: &Scene, number: impl Fn(&Literal) -> Result<R>) -> Result<Adhesion<R>> {
+    match &scene.works {
+        None => Adhesion::new(number(&scene.work_of_adhesion)?),
+        Some(works) => {
+            let both = Adhesion::hysteretic(number(&works[0])?, number(&works[1])?)?;
+            Ok(both.at(scene.edge.unwrap_or(Edge::Receding)))
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The closed forms of a power law for the outputs that have one: all proved, on all radii and at any scale.
 
 use mdr_analytic::certified::{Curve, Elasticity, Point, Question};
-use mdr_core::contact::{self, ControlKind, Error, Result, Stability};
+use mdr_core::contact::{self, ControlKind, Edge, Error, Result, Stability};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision};
 use mdr_numeric::path::{ContactState, Path, Start};
@@ -23,12 +23,14 @@ pub(crate) struct PowerLaw<'s> {
 }
 
 impl<'s> PowerLaw<'s> {
-    /// `None` if the profile or the medium is another one.
+    /// `None` if the profile or the medium is another one, with two works of adhesion, and for an edge without adhesion.
     ///
     /// # Errors
     /// An input out of its domain; see [`Question::new`].
     pub(crate) fn of(scene: &'s Scene) -> Result<Option<Self>> {
-        if !scene.pressed_into().is_half_space() {
+        let no_adhesion =
+            scene.edge == Some(Edge::Advancing) && scene.works.as_ref().is_some_and(|works| works[0].is_zero());
+        if !scene.pressed_into().is_half_space() || scene.has_two_works() || no_adhesion {
             return Ok(None);
         }
         let as_meant = |literal: &Literal| number(scene, literal);

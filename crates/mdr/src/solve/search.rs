@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Fold, Result, Status};
+use mdr_core::contact::{Edge, Fold, Result, Status};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::folds::{self, Folds, OutOfRangeFold, SearchQuality};
 
@@ -18,7 +18,7 @@ use crate::scene::Scene;
 
 /// The contact in f64; its folds are searched when something needs them, and once.
 pub(crate) struct Search<'s> {
-    scene: &'s Scene,
+    pub(crate) scene: &'s Scene,
     pub(crate) model: Model<f64>,
     folds: Once<Folds<f64>>,
     admissibility: OnceCell<Arc<Admissibility>>,
@@ -44,6 +44,11 @@ impl<'s> Search<'s> {
 
     fn with(scene: &'s Scene, model: Model<f64>, radii_suffice: bool) -> Self {
         Search { scene, model, folds: OnceCell::new(), admissibility: OnceCell::new(), radii_suffice }
+    }
+
+    /// The contact at the work of adhesion of one edge; `scene` is that of the edge.
+    pub(crate) fn at<'t>(&self, scene: &'t Scene, edge: Edge) -> Search<'t> {
+        Search::with(scene, self.model.at(edge), self.radii_suffice)
     }
 
     /// The admissible states: searched when they are needed, and once, around the folds that were found.

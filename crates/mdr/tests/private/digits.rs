@@ -1,11 +1,17 @@
 //! Tests of the private items of `mdr::solve::digits`.
 
 use super::*;
-use crate::answer::Balance;
+use crate::answer::{Balance, Optional};
 
 /// A record of three numbers of which these are the first and the second, and the third is given.
 fn record<N>(work: Value<N>, dissipated: Value<N>) -> Vec<Balance<N>> {
-    vec![Balance { work, dissipated, stored: Value::Given(0.into()) }]
+    vec![Balance {
+        work,
+        dissipated,
+        stored: Value::Given(0.into()),
+        jumps: Optional(None),
+        hysteresis: Optional(None),
+    }]
 }
 
 fn exact(value: Float) -> Value<Estimate<Float>> {
@@ -97,7 +103,13 @@ fn an_error_of_its_own_costs_a_number_its_digits_and_no_other_number() {
             known.clone()
         };
         let rough = Value::Known(Estimate { value: third, error, evaluations: 0 });
-        Ok(vec![Balance { work: late, dissipated: rough, stored: known }])
+        Ok(vec![Balance {
+            work: late,
+            dissipated: rough,
+            stored: known,
+            jumps: Optional(None),
+            hysteresis: Optional(None),
+        }])
     };
     let answer = agree(12, records).unwrap().remove(0);
     let [late, rough, known] = [&answer.work, &answer.dissipated, &answer.stored].map(Value::to_string);

@@ -57,8 +57,12 @@ impl<'a, R: Real, B: EquilibriumBranches<R>> Edges<'a, R, B> {
         Ok(Equilibrium { contact_radius: radius.clone(), indentation, force, stability: Stability::Stable })
     }
 
-    /// The state of a pinned edge.
-    fn pinned(&self, radius: &R, value: &R) -> Result<Equilibrium<R>> {
+    /// The state of an edge that is pinned at a radius, at a value of the controlled quantity.
+    ///
+    /// # Errors
+    /// Errors of the transform; [`Error::OutOfRange`] if the force is not representable in this arithmetic;
+    /// [`Error::Undecided`] if the enclosure of the radius reaches over a kink.
+    pub fn pinned(&self, radius: &R, value: &R) -> Result<Equilibrium<R>> {
         let (indentation, force) = self.known(self.contact.equilibrium_at(radius, value))?;
         let state = Equilibrium { contact_radius: radius.clone(), indentation, force, stability: Stability::Stable };
         Ok(state.controlled(self.contact.control(), value.clone()))

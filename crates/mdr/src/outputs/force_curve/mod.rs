@@ -3,9 +3,13 @@
 mod samples;
 mod summary;
 
+#[cfg(feature = "mp")]
+use mdr_core::contact::Edge;
 use mdr_core::contact::Result;
 
+use self::samples::Course;
 use super::key::Key;
+use super::path::edges;
 use super::room::{Content, Facts, Open, Room as IsRoom, Subject, Table, not_wanted};
 use super::{Output, Want};
 #[cfg(feature = "mp")]
@@ -39,7 +43,8 @@ record! {
 
     /// The characteristic values of a force curve; a quantity that the path does not reach has no value.
     CurveSummary {
-        /// F at the fold from which the contact breaks. Where it shrinks to a point from a smaller contact, to which it has jumped
+        /// F at the fold from which the contact breaks, or, between two works of adhesion, in the state in which its edge begins to
+        /// recede and breaks at once. Where it shrinks to a point from a smaller contact, to which it has jumped
         /// before, F at the fold of that jump.
         pull_off_force: Option<Value<N>>,
         /// F just after the surfaces have jumped into contact; where contact begins continuously, after the first jump of the
@@ -47,7 +52,8 @@ record! {
         jump_in_force: Option<Value<N>>,
         /// The minimum of F along the path, at an end of a stretch between two events or at a fold of F on it.
         minimum_force: Option<Value<N>>,
-        /// The energy lost in all events, in joules; `None` if it has no bound.
+        /// The energy lost in all events, in joules, and by the receding edge if there are two works of adhesion; `None` if it has
+        /// no bound.
         hysteresis: Option<Value<N>>,
     }
 }
@@ -108,19 +114,31 @@ pub(super) struct Room<'w> {
 }
 
 impl<'w> IsRoom<'w> for Room<'w> {
+    fn has_edges(&self) -> bool {
+        true
+    }
+
     fn rows(&self) -> usize {
         *self.points as usize
     }
 
     #[cfg(feature = "mp")]
     fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
+        if certified.scene.has_two_works() {
+            return between_edges(certified, self.rows());
+        }
         let (model, folds) = certified.in_doubles()?;
         let states = States::new(certified.scene, &model, folds, certified.admissibility()?);
-        Ok(Output::ForceCurve(Box::new(samples::sampled(&states, self.rows())?)))
+        Ok(Output::ForceCurve(Box::new(samples::sampled(Course::One(&states), self.rows())?)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
-        Ok(Output::ForceCurve(Box::new(samples::sampled(&search.states()?, self.rows())?)))
+        let curve = if search.scene.has_two_works() {
+            edges::with_both(search, |states, _| samples::sampled(Course::Between(states), self.rows()))?
+        } else {
+            samples::sampled(Course::One(&search.states()?), self.rows())?
+        };
+        Ok(Output::ForceCurve(Box::new(curve)))
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {
@@ -129,4 +147,18 @@ impl<'w> IsRoom<'w> for Room<'w> {
         let samples = List::new(Promise::Double, Vec::new()).complete(open.completeness());
         Output::ForceCurve(Box::new(ForceCurve { samples, summary }))
     }
+}
+
+/// The force curve between the branches of an advancing and of a receding edge, in f64.
+#[cfg(feature = "mp")]
+fn between_edges(certified: &Certified<'_>, points: usize) -> Result<Output> {
+    let scenes = [Edge::Advancing, Edge::Receding].map(|edge| certified.scene.at(edge));
+    let parts = scenes.each_ref().map(|scene| Certified::new(scene, certified.digits, certified.counts));
+    let [(one, folds), (other, others)] = [parts[0].in_doubles()?, parts[1].in_doubles()?];
+    let states = [
+        States::new(&scenes[0], &one, folds, parts[0].admissibility()?),
+        States::new(&scenes[1], &other, others, parts[1].admissibility()?),
+    ];
+    let curve = samples::sampled(Course::Between([&states[0], &states[1]]), points)?;
+    Ok(Output::ForceCurve(Box::new(curve)))
 }

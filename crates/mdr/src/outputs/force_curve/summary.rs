@@ -2,10 +2,11 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Error, FoldKind, Result, Status};
-use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::{self, SearchQuality};
 use mdr_numeric::path::{Dissipation, Event, EventKind, Path};
 
+use super::samples::Course;
 use super::{CurveSummary, ForceSample};
 use crate::answer::{Number, Value};
 use crate::outputs::path::{beyond_noise, changes};
@@ -16,16 +17,16 @@ use crate::solve::model::Model;
 /// # Errors
 /// Errors of [`folds::find`], except for numbers that are not decided.
 pub(super) fn summary(
+    course: Course<'_, '_>,
     model: &Model<f64>,
     path: &Path<f64>,
-    branches: &SearchedBranches<f64>,
     samples: &[ForceSample],
 ) -> Result<CurveSummary> {
     Ok(CurveSummary {
         pull_off_force: pull_off(&path.events).map(known),
         jump_in_force: jump_in(&path.events).map(known),
-        minimum_force: minimum(model, path, samples)?,
-        hysteresis: hysteresis(path, branches)?,
+        minimum_force: minimum(course, model, path, samples)?,
+        hysteresis: hysteresis(course, path)?,
     })
 }
 
@@ -51,7 +52,8 @@ fn radii(event: &Event<f64>) -> Option<[f64; 2]> {
 fn pull_off(events: &[Event<f64>]) -> Option<f64> {
     let breaks = events.iter().position(|event| event.kind == EventKind::Detached)?;
     let jumps = |event: &&Event<f64>| changes(event.kind) && radii(event).is_some();
-    let last = events[..breaks].iter().rfind(jumps).filter(|_| events[breaks].fold.is_none());
+    let at_a_point = events[breaks].before.contact().is_some_and(|state| state.contact_radius == 0.0);
+    let last = events[..breaks].iter().rfind(jumps).filter(|_| at_a_point);
     let shrinks = |event: &&Event<f64>| radii(event).is_some_and(|[before, after]| after < before);
     let event = last.filter(shrinks).unwrap_or(&events[breaks]);
     event.before.contact().map(|state| state.force)
@@ -78,7 +80,14 @@ fn jump_in(events: &[Event<f64>]) -> Option<f64> {
 /// dF/da = 2E*a(g' − 3Δl') vanishes, g' = 3√(πw/(2E*a)).
 ///
 /// `undecided` where the folds of F were not resolved.
-fn minimum(model: &Model<f64>, path: &Path<f64>, samples: &[ForceSample]) -> Result<Option<Value>> {
+///
+/// Between two works of adhesion a stretch has the folds of the edge that moves; where it is pinned, F is linear.
+fn minimum(
+    course: Course<'_, '_>,
+    model: &Model<f64>,
+    path: &Path<f64>,
+    samples: &[ForceSample],
+) -> Result<Option<Value>> {
     // Forces in between are no less than at an end or a fold.
     let at_ends = samples.iter().filter_map(|sample| sample.force.to_f64()).reduce(f64::min);
     let stretches: Vec<[f64; 2]> = path
@@ -91,14 +100,30 @@ fn minimum(model: &Model<f64>, path: &Path<f64>, samples: &[ForceSample]) -> Res
     if matches!(model.control(), Control::Force) || stretches.is_empty() {
         return Ok(at_ends.map(known));
     }
-    let curve = model.contact().with_control(Control::Force);
+    let (growing, shrinking): (Vec<_>, Vec<_>) = match course {
+        Course::One(_) => (Vec::new(), stretches),
+        Course::Between(_) => stretches.into_iter().partition(|[from, to]| to > from),
+    };
+    let mut least = at_ends;
+    for stretches in [growing, shrinking].into_iter().filter(|stretches| !stretches.is_empty()) {
+        match at_folds(course.branches(stretches[0]).curve(), &stretches)? {
+            Ok(found) => least = found.into_iter().chain(least).reduce(f64::min),
+            Err(unknown) => return Ok(Some(unknown)),
+        }
+    }
+    Ok(least.map(known))
+}
+
+/// The least force at a fold of F on stretches between two radii, or why it is not known.
+fn at_folds(curve: &Contact<f64>, stretches: &[[f64; 2]]) -> Result<std::result::Result<Option<f64>, Value>> {
+    let curve = curve.with_control(Control::Force);
     let found = match folds::find(&curve) {
-        Err(error) => return unknown(error).map(Some),
+        Err(error) => return unknown(error).map(Err),
         Ok(found) => found,
     };
     if found.completeness == SearchQuality::Doubtful {
         let why = "a minimum of the force between the ends of the path: its folds were not resolved everywhere";
-        return Ok(Some(Value::unknown(Status::Undecided, why)));
+        return Ok(Err(Value::unknown(Status::Undecided, why)));
     }
     let wall = curve.vertical_edge();
     let passes = |radius: f64| {
@@ -109,22 +134,26 @@ fn minimum(model: &Model<f64>, path: &Path<f64>, samples: &[ForceSample]) -> Res
     };
     for fold in found.out_of_range.iter().filter(|fold| fold.kind == FoldKind::Minimum) {
         if passes(fold.contact_radius) {
-            return unknown(fold.error.clone()).map(Some);
+            return unknown(fold.error.clone()).map(Err);
         }
     }
-    let at_folds = found.folds.iter().filter(|fold| fold.kind == FoldKind::Minimum && passes(fold.contact_radius));
-    Ok(at_folds.map(|fold| fold.force).chain(at_ends).reduce(f64::min).map(known))
+    let met = found.folds.iter().filter(|fold| fold.kind == FoldKind::Minimum && passes(fold.contact_radius));
+    Ok(Ok(met.map(|fold| fold.force).reduce(f64::min)))
 }
 
-/// The energy lost in all events; `None` if it has no bound.
-fn hysteresis(path: &Path<f64>, branches: &SearchedBranches<f64>) -> Result<Option<Value>> {
+/// The energy lost in all events, and by a receding edge; `None` if it has no bound.
+fn hysteresis(course: Course<'_, '_>, path: &Path<f64>) -> Result<Option<Value>> {
     let mut lost = Estimate::exact(0.0);
     let mut out_of_range = None;
-    let losses = path.events.iter().zip(Dissipation::of_each(path, branches));
-    for (_, loss) in losses.filter(|(event, _)| changes(event.kind)) {
+    for (event, loss) in path.events.iter().zip(course.losses(path)) {
         match loss {
-            Ok(Dissipation::Unbounded) => return Ok(None),
-            Ok(Dissipation::Finite(energy)) => lost += &energy,
+            Ok((Dissipation::Unbounded, _)) if changes(event.kind) => return Ok(None),
+            Ok((Dissipation::Finite(energy), by_edge)) if changes(event.kind) => {
+                lost += &energy;
+                lost += &Estimate::exact(by_edge);
+            }
+            Ok((_, by_edge)) => lost += &Estimate::exact(by_edge),
+            Err(_) if !changes(event.kind) && matches!(course, Course::One(_)) => {}
             Err(Error::OutOfRange { log10, .. }) => out_of_range = Some(out_of_range.unwrap_or(log10).max(log10)),
             Err(error) => return unknown(error).map(Some),
         }

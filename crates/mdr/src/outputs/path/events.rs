@@ -108,6 +108,8 @@ fn of_event<R: SceneReal>(control: &Control<R>, event: &Event<R>, admissible: Ad
         to_force,
         admissible,
         dissipated: None,
+        hysteresis: Optional(None),
+        edge: event.edge,
     }
 }
 
@@ -167,7 +169,7 @@ pub(crate) fn with_energy<R: SceneReal>(
 ) -> Result<PathNumbers<Estimate<R>>> {
     let losses = path.events.iter().zip(path::Dissipation::of_each(path, branches));
     let losses = losses.map(|(event, loss)| dissipated(event, loss)).collect::<Result<Vec<_>>>()?;
-    let balance = balance(path, way, branches, &losses)?;
+    let balance = balance(path, way, stored(path, branches), &losses)?;
     let events = events(branches.control(), &shown(path, branches.curve().medium()), branches.admissibility())
         .convert(Estimate::exact)
         .into_iter()
@@ -177,7 +179,7 @@ pub(crate) fn with_energy<R: SceneReal>(
 }
 
 /// The energy lost in an event; unknown where its integral does not converge.
-fn dissipated<R: SceneReal>(
+pub(super) fn dissipated<R: SceneReal>(
     event: &Event<R>,
     loss: Result<path::Dissipation<R>>,
 ) -> Result<Option<Dissipation<Estimate<R>>>> {
@@ -192,7 +194,7 @@ fn dissipated<R: SceneReal>(
 }
 
 /// An energy that could not be computed.
-fn unknown<N>(error: Error) -> Result<Value<N>> {
+pub(super) fn unknown<N>(error: Error) -> Result<Value<N>> {
     match error {
         Error::OutOfRange { .. } => Err(error),
         error => Value::from_result(Err(error)),
@@ -207,10 +209,10 @@ fn unknown<N>(error: Error) -> Result<Value<N>> {
 ///
 /// # Errors
 /// Errors of the transform; [`Error::OutOfRange`] if an energy is not representable.
-fn balance<R: SceneReal>(
+pub(super) fn balance<R: SceneReal>(
     path: &Path<R>,
     way: &[Literal],
-    branches: &SearchedBranches<R>,
+    stored: Result<Option<Estimate<R>>>,
     losses: &[Option<Dissipation<Estimate<R>>>],
 ) -> Result<Option<Balance<Estimate<R>>>> {
     let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
@@ -222,17 +224,18 @@ fn balance<R: SceneReal>(
             Dissipation::Finite(loss) => dissipated = plus(&dissipated, loss),
         }
     }
-    let stored = match stored(path, branches) {
+    let stored = match stored {
         Ok(Some(stored)) if returns(path, way) => Value::Known(Estimate::exact(stored.value.lit(0))),
         Ok(Some(stored)) => beyond_noise(&stored, &stored.error),
         Ok(None) => return Ok(None),
         Err(error) => unknown(error)?,
     };
-    Ok(Some(Balance { work: work(&dissipated, &stored), dissipated, stored }))
+    let work = work(&dissipated, &stored);
+    Ok(Some(Balance { work, dissipated, stored, jumps: Optional(None), hysteresis: Optional(None) }))
 }
 
 /// The sum of two energies, of which one may be unknown.
-fn plus<R: SceneReal>(one: &Value<Estimate<R>>, other: &Value<Estimate<R>>) -> Value<Estimate<R>> {
+pub(super) fn plus<R: SceneReal>(one: &Value<Estimate<R>>, other: &Value<Estimate<R>>) -> Value<Estimate<R>> {
     match (one, other) {
         (Value::Known(one), Value::Known(other)) => {
             let mut sum = one.clone();
@@ -252,7 +255,7 @@ fn returns<R: SceneReal>(path: &Path<R>, way: &[Literal]) -> bool {
 }
 
 /// The work of the control, unless it is nothing but the rounding of the terms of its sum.
-fn work<R: SceneReal>(dissipated: &Value<Estimate<R>>, stored: &Value<Estimate<R>>) -> Value<Estimate<R>> {
+pub(super) fn work<R: SceneReal>(dissipated: &Value<Estimate<R>>, stored: &Value<Estimate<R>>) -> Value<Estimate<R>> {
     /// Unit roundoffs of an energy.
     const ROUNDINGS: i64 = 1024;
     let work = plus(dissipated, stored);

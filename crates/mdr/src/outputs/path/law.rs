@@ -11,8 +11,8 @@ use mdr_numeric::path::{ContactState, Event, EventKind, Path};
 use rug::Rational;
 
 use super::{Balance, Dissipation, PathEvent, PathNumbers, changes, events as records, is_arrival};
-use crate::answer::Value;
 use crate::answer::record::{Numbers, Part};
+use crate::answer::{Optional, Value};
 use crate::solve::law_branches::LawBranches;
 use crate::solve::power_law::PowerLaw;
 
@@ -130,6 +130,7 @@ impl Traced<'_> {
         let stored = EnergySum::difference(last, first);
         let work = dissipated.clone().plus(&stored);
         let [work, dissipated, stored] = [work, dissipated, stored].map(Value::Known);
-        Some(Balance { work, dissipated, stored }.convert(|sum| sum.value(self.branches.curve)))
+        let (jumps, hysteresis) = (Optional(None), Optional(None));
+        Some(Balance { work, dissipated, stored, jumps, hysteresis }.convert(|sum| sum.value(self.branches.curve)))
     }
 }

@@ -1,5 +1,8 @@
 //! The output `path`: the events of the loading path, and the balance of its energy.
 
+pub(crate) mod edges;
+#[cfg(feature = "mp")]
+mod edges_proof;
 mod events;
 #[cfg(feature = "mp")]
 mod law;
@@ -9,22 +12,26 @@ mod proof;
 use mdr_core::calculus::Estimate;
 #[cfg(feature = "mp")]
 use mdr_core::contact::Status;
-use mdr_core::contact::{Control, Result};
+use mdr_core::contact::{Control, Edge, Result};
 use mdr_core::number::Literal;
+use mdr_numeric::folds::SearchQuality;
 use mdr_numeric::path::EventKind;
 
 use super::room::{Content, Facts, Open, Room as IsRoom, Subject, Table, not_wanted};
 use super::{Output, Want};
 use crate::answer::record::{Numbers, Part, Row, record};
 use crate::answer::{Admission, Cell, Column, Completeness, List, Number, NumberStyle, Optional, Promise, Value};
+#[cfg(feature = "mp")]
+use crate::solve::model::Model;
 use crate::solve::model::SceneReal;
 use crate::solve::search::{Search, doubles};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
-    digits::decide,
+    digits::{agree, decide},
     power_law::{self, PowerLaw},
+    refine::refined,
 };
 
 pub(crate) use events::{beyond_noise, changes, follow, is_arrival, quantities};
@@ -82,18 +89,29 @@ record! {
         to_force: Option<Value<N>> = "to force" in "N",
         /// Whether the states of the event are admissible.
         admissible: Admission<N>,
-        /// The energy lost in the event.
+        /// The energy lost in the event; with two works of adhesion, in its jump.
         dissipated: Option<Dissipation<N>> = "dissipated" in "J",
+        /// With two works of adhesion w₁ and w₂, (w₂ − w₁) times the area that the edge has receded since the previous event and
+        /// in this one: an energy that is lost besides.
+        hysteresis: Optional<N> = "hysteresis" in "J",
+        /// With two works of adhesion, the edge whose work of adhesion the event has: of a jump, the one that drives it; the edge
+        /// that stops, or begins to move.
+        edge: Option<Edge>,
     }
 
-    /// The energy balance of a path: work = dissipated + stored.
+    /// The energy balance of a path: work = dissipated + stored, and with two works of adhesion dissipated = jumps + hysteresis.
     Balance {
         /// Done by the control.
         work: Value<N>,
         /// Lost in all events.
         dissipated: Value<N> = "dissipated" in "J",
-        /// The increase of the stored energy from the start to the end.
+        /// The increase of the stored energy from the start to the end; with two works of adhesion, with the smaller one for the
+        /// area in contact.
         stored: Value<N>,
+        /// With two works of adhesion, the energy lost in jumps.
+        jumps: Optional<N> = "jumps" in "J",
+        /// With two works of adhesion w₁ and w₂, (w₂ − w₁) times the area that the edge has receded.
+        hysteresis: Optional<N> = "hysteresis" in "J",
     }
 }
 
@@ -107,7 +125,15 @@ impl Balance {
             value => style.quantity(&value.to_string(), "J"),
         };
         let [work, dissipated, stored] = [&self.work, &self.dissipated, &self.stored].map(part);
-        format!("Energy: work of the control {work}, dissipated {dissipated}, stored {stored} more than at the start.")
+        let split = match (&self.jumps, &self.hysteresis) {
+            (Optional(Some(jumps)), Optional(Some(hysteresis))) => {
+                format!(" ({} in jumps, {} by the receding edge)", part(jumps), part(hysteresis))
+            }
+            _ => String::new(),
+        };
+        format!(
+            "Energy: work of the control {work}, dissipated {dissipated}{split}, stored {stored} more than at the start."
+        )
     }
 }
 
@@ -157,7 +183,7 @@ impl LoadingPath {
     #[cfg(feature = "mp")]
     pub(crate) fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
         for (event, other) in self.events.items.iter_mut().zip(other.events) {
-            event.dissipated = other.dissipated;
+            (event.dissipated, event.hysteresis) = (other.dissipated, other.hysteresis);
         }
         LoadingPath { balance: other.balance, energy: Some(promise), ..self }
     }
@@ -174,7 +200,9 @@ impl LoadingPath {
         for event in self.events.items.iter_mut().filter(|event| event.to_force.is_some()) {
             event.dissipated = Some(Dissipation::Finite(open()));
         }
-        let balance = is_finite.then(|| Balance { work: open(), dissipated: open(), stored: open() });
+        let (jumps, hysteresis) = (Optional(None), Optional(None));
+        let balance =
+            is_finite.then(|| Balance { work: open(), dissipated: open(), stored: open(), jumps, hysteresis });
         LoadingPath { balance, ..self }
     }
 }
@@ -215,9 +243,13 @@ impl<'w> IsRoom<'w> for Room {
         true
     }
 
+    fn has_edges(&self) -> bool {
+        true
+    }
+
     #[cfg(feature = "mp")]
     fn visited(&self, search: &Search<'_>) -> Vec<f64> {
-        let path = search.states().and_then(|states| follow(states.model, &states.branches, states.scene));
+        let path = followed(search);
         let events = path.into_iter().flat_map(|path| path.events);
         let states = events.flat_map(|event| [event.before, event.after]);
         let radii = states.filter_map(|state| Some(state.contact()?.contact_radius));
@@ -233,6 +265,9 @@ impl<'w> IsRoom<'w> for Room {
     /// Proved where the folds are, except for the energy.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
+        if certified.scene.has_two_works() {
+            return proved_between_edges(certified);
+        }
         let Some(folds) = certified.fold_proof()? else { return Ok(None) };
         let Some((proved, followed)) = proof::path(certified, folds)? else { return Ok(None) };
         let path = match followed.with_energy(certified, folds) {
@@ -244,6 +279,9 @@ impl<'w> IsRoom<'w> for Room {
 
     #[cfg(feature = "mp")]
     fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
+        if certified.scene.has_two_works() {
+            return estimated_between_edges(certified);
+        }
         let estimated = certified.estimated(numbers)?;
         let mut searched = certified.searched()?;
         let folds = certified.fold_proof()?;
@@ -255,6 +293,15 @@ impl<'w> IsRoom<'w> for Room {
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
+        if search.scene.has_two_works() {
+            return edges::with_both(search, |states, searches| {
+                let path = doubles(edges::numbers(states)?);
+                let [advancing, receding] = [searches[0].completeness()?, searches[1].completeness()?];
+                let complete =
+                    if searches[0].folds()?.completeness == SearchQuality::Doubtful { advancing } else { receding };
+                Ok(LoadingPath::new(Promise::Double, path, complete).into())
+            });
+        }
         let path = doubles(numbers(&search.states()?)?);
         Ok(LoadingPath::new(Promise::Double, path, search.completeness()?).into())
     }
@@ -281,6 +328,61 @@ fn numbers<R: SceneReal>(states: &States<'_, R>) -> Result<PathNumbers<Estimate<
     events::with_energy(&path, &states.scene.path, &states.branches)
 }
 
+/// The path of a search in f64, of one edge or between two.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform.
+pub(crate) fn followed(search: &Search<'_>) -> Result<mdr_numeric::path::Path<f64>> {
+    if search.scene.works.is_some() {
+        return edges::with_both(search, |[advancing, receding], _| {
+            edges::follow(receding.model, [&advancing.branches, &receding.branches], receding.scene)
+        });
+    }
+    let states = search.states()?;
+    follow(states.model, &states.branches, states.scene)
+}
+
+/// What `use_them` makes of the contact at the work of adhesion of each edge.
+#[cfg(feature = "mp")]
+fn with_edges<T>(certified: &Certified<'_>, use_them: impl FnOnce([&Certified<'_>; 2]) -> Result<T>) -> Result<T> {
+    let [advancing, receding] = [Edge::Advancing, Edge::Receding].map(|edge| certified.scene.at(edge));
+    let of = |scene| Certified::new(scene, certified.digits, certified.counts);
+    use_them([&of(&advancing), &of(&receding)])
+}
+
+/// Proved where the folds of both edges are, except for the energy.
+#[cfg(feature = "mp")]
+fn proved_between_edges(certified: &Certified<'_>) -> Result<Option<Output>> {
+    with_edges(certified, |edges| {
+        let (Some(advancing), Some(receding)) = (edges[0].fold_proof()?, edges[1].fold_proof()?) else {
+            return Ok(None);
+        };
+        let pair = edges_proof::Pair { edges, folds: [advancing, receding] };
+        let Some((proved, followed)) = edges_proof::path(&pair)? else { return Ok(None) };
+        let path = match followed.with_energy(&pair) {
+            Ok(path) => proved.with_energy_of(Promise::Estimated, path),
+            Err(error) => proved.without_energy(&error.to_string()),
+        };
+        Ok(Some(path.into()))
+    })
+}
+
+#[cfg(feature = "mp")]
+fn estimated_between_edges(certified: &Certified<'_>) -> Result<Output> {
+    with_edges(certified, |[advancing, receding]| {
+        let folds = [advancing.search()?.folds()?, receding.search()?.folds()?];
+        let path = agree(certified.digits, |precision| {
+            let models: [Model<rug::Float>; 2] = [advancing.model(precision)?, receding.model(precision)?];
+            let states = |certified: &Certified<'_>, index: usize| {
+                let folds = refined(&models[index], folds[index])?;
+                Ok(States::new(receding.scene, &models[index], folds, certified.admissibility()?))
+            };
+            edges::numbers([&states(advancing, 0)?, &states(receding, 1)?])
+        })?;
+        Ok(LoadingPath::new(Promise::Estimated, path, receding.searched()?).into())
+    })
+}
+
 /// The one event of a path that could not be followed.
 fn undecided(open: &Open<'_>) -> PathEvent {
     let held = |is_held: bool| if is_held { open.start() } else { Some(open.value()) };
@@ -296,5 +398,7 @@ fn undecided(open: &Open<'_>) -> PathEvent {
         to_force: None,
         admissible: Admission::Unknown { why: "the path could not be followed" },
         dissipated: None,
+        hysteresis: Optional(None),
+        edge: None,
     }
 }

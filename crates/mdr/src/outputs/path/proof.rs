@@ -19,7 +19,7 @@ use crate::solve::model::Model;
 use crate::solve::proof::{Enclosed, FoldProof, decided, exactly};
 
 /// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
-const ENOUGH: u32 = 16;
+pub(super) const ENOUGH: u32 = 16;
 
 /// A path that was followed over enclosures.
 pub(super) struct Followed {
@@ -117,7 +117,7 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
 }
 
 /// The exact value of the controlled quantity at a way point. Surfaces apart carry no load, whatever is applied.
-fn set_exact(
+pub(super) fn set_exact(
     record: &mut PathEvent<Enclosure>,
     event: &Event<Interval>,
     control: &Control<Literal>,

@@ -1,0 +1,51 @@
+//! Sizes of contacts, and functions of them.
+
+use mdr_core::number::{Real, Special};
+
+use super::Medium;
+
+impl<R: Special> Medium<R> {
+    /// The contact radius or half-width of a contact of this size, in m.
+    pub fn contact_radius(&self, size: &R) -> R {
+        match self {
+            Medium::Periodic { wavelength, .. } => phase(size, wavelength).atan() * wavelength / size.pi(),
+            _ => size.clone(),
+        }
+    }
+
+    /// The size of a contact with this contact radius or half-width, in m; below λ/2 on a periodic medium.
+    pub fn size(&self, contact_radius: &R) -> R {
+        match self {
+            Medium::Periodic { wavelength, .. } => {
+                let phase = phase(contact_radius, wavelength);
+                phase.sin() / phase.cos() * wavelength / contact_radius.pi()
+            }
+            _ => contact_radius.clone(),
+        }
+    }
+}
+
+/// √(2πℓ/a), which stays in range if the product aℓ does not.
+pub(super) fn root_of_length<R: Real>(length: R, a: &R) -> R {
+    let square = (length.clone() / a * a.pi()).times(2);
+    let normal = square.is_finite() && square.clone() * a.unit_roundoff() > a.lit(0);
+    if normal { square.sqrt() } else { a.pi().times(2).sqrt() * length.sqrt() / a.sqrt() }
+}
+
+/// πx/λ.
+pub(crate) fn phase<R: Real>(x: &R, wavelength: &R) -> R {
+    x.pi() * x / wavelength
+}
+
+/// Λ = ln(1 + 1/t²) = −2 ln sin(πa/λ) at t = πb/λ, without cancellation: 0 at complete contact.
+pub(crate) fn openness<R: Real>(size: &R, wavelength: &R) -> R {
+    let t = phase(size, wavelength);
+    if t.midpoint() < t.lit(1) { t.square().ln_1p() - t.ln().times(2) } else { t.square().inv().ln_1p() }
+}
+
+/// arcosh(L/b) for b < L, without cancellation.
+pub(crate) fn arcosh_ratio<R: Real>(reference: &R, b: &R) -> R {
+    let excess = (reference.clone() - b) / b;
+    let root = (excess.clone() * (excess.clone() + excess.lit(2))).sqrt();
+    (excess + root).ln_1p()
+}

@@ -1,0 +1,178 @@
+//! Other media than the half-space: fields carry the force, energies are those of their springs, quadratures are the closed forms.
+
+use std::f64::consts::PI;
+
+use mdr_core::calculus::quadrature::tanh_sinh_near_ends;
+use mdr_core::contact::{Control, Shape, Transform};
+use mdr_numeric::contact::Contact;
+use mdr_numeric::energy::Energy;
+use mdr_numeric::fields::Fields;
+use mdr_numeric::medium::{Adhesion, Medium};
+use mdr_numeric::profiles::Heights;
+use mdr_numeric::transform::{LineLoad, Powers, Quadrature, Wave, Weighted};
+
+const WORK: f64 = 1e-2;
+
+fn contact(transform: impl Transform<f64> + 'static, medium: Medium<f64>) -> Contact<f64> {
+    Contact::new(transform, medium, Adhesion::new(WORK).unwrap(), Control::Indentation)
+}
+
+fn ball() -> Heights<f64> {
+    Heights::new([Shape::Paraboloid { radius: 1.0 }]).unwrap()
+}
+
+/// ∫₀ᵃ p(r)·measure(r) dr, and its error. With a² − r² = a²v^(2/(1+k)) the edge is smooth; where r rounds to a, below `least`, the
+/// integrand is taken as constant.
+fn carried(fields: &Fields<f64>, a: f64, k: f64, measure: impl Fn(f64) -> f64) -> (f64, f64) {
+    let order = 2.0 / (1.0 + k);
+    let least = 1e-12_f64.powf(1.0 / order);
+    let integrand = |v: f64, rest: f64| {
+        // v = 1 − rest.
+        let r = a * (-(order * (-rest).ln_1p()).exp_m1()).sqrt();
+        let jacobian = a * a * order / 2.0 * v.powf(order - 1.0) / r;
+        fields.pressure_estimate(&r).map(|pressure| pressure.value * measure(r) * jacobian)
+    };
+    let edge = least * integrand(least, 1.0 - least).unwrap();
+    let inner = tanh_sinh_near_ends(&least, &1.0, &1e-10, |node| integrand(node.x, node.from_upper)).unwrap();
+    // a² − r² is known to 10⁻⁴ of itself at the end.
+    (inner.value + edge, edge.abs() * (1e-3 + 10.0 * least) + 1e-9 * inner.value.abs())
+}
+
+#[test]
+fn the_pressure_carries_the_force() {
+    let a = 0.4;
+    for k in [-0.5, 0.0, 0.3] {
+        let graded = contact(Powers::graded([(2.0, 0.5)], &k).unwrap(), Medium::graded(2.0, k).unwrap());
+        let force = graded.force(&a).unwrap();
+        let fields = Fields::new(graded, a).unwrap();
+        let (sum, error) = carried(&fields, a, k, |r| 2.0 * PI * r);
+        assert!((sum - force).abs() < error, "k = {k}: {sum} {force}");
+    }
+    let winkler = contact(Powers::winkler([(2.0, 0.5)]).unwrap(), Medium::winkler(2.0).unwrap());
+    let force = winkler.force(&a).unwrap();
+    let (sum, error) = carried(&Fields::new(winkler, a).unwrap(), a, 1.0, |r| 2.0 * PI * r);
+    assert!((sum - force).abs() < error, "{sum} {force}");
+    let line =
+        contact(LineLoad::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), Medium::plane(2.0, None).unwrap());
+    let force = line.force(&a).unwrap();
+    let (sum, error) = carried(&Fields::new(line, a).unwrap(), a, 0.0, |_| 2.0);
+    assert!((sum - force).abs() < error, "{sum} {force}");
+}
+
+/// Johnson's pressure and gap, cos X (s + P − 2sin²X)/√(s − sin²X) and 2[y√(y² − s) − P arcosh(y/√s)].
+#[test]
+fn the_fields_of_a_wave() {
+    let medium = Medium::periodic(2.0, 1.5).unwrap();
+    let (half_width, height) = (0.4, 0.1);
+    let size = medium.size(&half_width);
+    let wave = contact(Wave::new(height, 1.5).unwrap(), medium);
+    let unit = PI * 2.0 * height / 1.5;
+    let load = wave.force(&size).unwrap() / unit;
+    let s = (PI * half_width / 1.5).sin().powi(2);
+    let fields = Fields::new(wave, size).unwrap();
+    for x in [0.0, 0.1, 0.35] {
+        let place = PI * x / 1.5;
+        let expected = place.cos() * (s + load - 2.0 * place.sin().powi(2)) / (s - place.sin().powi(2)).sqrt() * unit;
+        let found = fields.pressure(&x).unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-12, "{x}: {found} {expected}");
+    }
+    for x in [0.41_f64, 0.5, 0.75] {
+        let y = (PI * x / 1.5).sin();
+        let expected = 2.0 * height * (y * (y * y - s).sqrt() - load * (y / s.sqrt()).acosh());
+        let found = fields.gap(&x).unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-11, "{x}: {found} {expected}");
+    }
+    assert!(fields.pressure(&0.4).is_err() && fields.gap(&0.4).is_err() && fields.gap(&0.76).is_err());
+}
+
+/// The gap is f − d + u.
+#[test]
+fn gap_and_displacement_add_up_to_the_profile() {
+    for k in [-0.4, 0.3] {
+        let graded = contact(Powers::graded([(2.0, 0.5)], &k).unwrap(), Medium::graded(2.0, k).unwrap());
+        let fields = Fields::new(graded, 0.4).unwrap();
+        for r in [0.41_f64, 0.6, 2.0] {
+            let sum = fields.indentation() + fields.gap(&r).unwrap() - fields.displacement(&r).unwrap();
+            assert!((sum / (r * r / 2.0) - 1.0).abs() < 1e-12, "k = {k}, r = {r}: {sum}");
+        }
+    }
+}
+
+/// The gap beside a cylinder, in closed form.
+#[test]
+fn the_gap_of_a_line_contact() {
+    let (b, modulus) = (0.4, 2.0);
+    let line =
+        contact(LineLoad::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), Medium::plane(modulus, None).unwrap());
+    let fields = Fields::new(line, b).unwrap();
+    let edge = (2.0 * PI * WORK * b / modulus).sqrt();
+    for x in [0.45_f64, 0.8] {
+        let open = (x / b).acosh();
+        // (2/π)[∫_b^x arcosh(x/c)(πc/2)dc + arcosh(x/b)Δl], ∫_b^x arcosh(x/c) c dc = ½[x√(x² − b²) − b² arcosh(x/b)].
+        let bulk = PI / 4.0 * (x * (x * x - b * b).sqrt() - b * b * open);
+        let expected = 2.0 / PI * (bulk + open * edge);
+        let found = fields.gap(&x).unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-12, "{x}: {found} {expected}");
+    }
+}
+
+/// Π of a power on a graded medium: c∫xᵏ(d − g)² dx − πa²w; and of the wave, s²/4 − ½P² ln s − α²ψ in units of p*h₀.
+#[test]
+fn energies() {
+    let (a, d, k, c) = (0.4_f64, -0.02, 0.3, 2.0);
+    let transform = Powers::graded([(2.0, 0.5)], &k).unwrap();
+    let g = transform.g(&1.0).unwrap();
+    let graded = contact(transform, Medium::graded(c, k).unwrap());
+    let power = |n: f64| a.powf(n + 1.0 + k) / (n + 1.0 + k);
+    let expected = c * (d * d * power(0.0) - 2.0 * d * g * power(2.0) + g * g * power(4.0)) - PI * a * a * WORK;
+    let found = Energy::new(graded.clone()).unwrap().potential(&a, &d).unwrap();
+    assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    let energy = Energy::new(graded).unwrap();
+    let (local, varied) = (energy.release(&a, &d).unwrap(), energy.release_by_variation(&a, &d).unwrap());
+    assert!((local / varied - 1.0).abs() < 1e-11, "{local} {varied}");
+
+    let (modulus, wavelength, height) = (2.0, 1.5, 0.1);
+    let medium = Medium::periodic(modulus, wavelength).unwrap();
+    let size = medium.size(&0.3);
+    let wave = contact(Wave::new(height, wavelength).unwrap(), medium);
+    let unit = PI * modulus * height / wavelength;
+    let (d, force) = wave.state(&size).unwrap();
+    let (angle, load) = (PI * 0.3 / wavelength, force / unit);
+    let s = angle.sin().powi(2);
+    let alpha_squared = 2.0 * wavelength * WORK / (PI * PI * height * height * modulus);
+    let expected = unit * height * (s * s / 4.0 - load * load / 2.0 * s.ln() - alpha_squared * angle);
+    let found = Energy::new(wave).unwrap().potential(&size, &d).unwrap();
+    assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    let line =
+        contact(LineLoad::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), Medium::plane(1.0, None).unwrap());
+    assert!(Energy::new(line).is_err());
+}
+
+/// The quadratures of other media against sums of powers, and of the half-space against its own quadrature.
+#[test]
+fn quadratures_are_the_closed_forms() {
+    let compare = |one: &dyn Transform<f64>, other: &dyn Transform<f64>, what: &str| {
+        for x in [1e-3, 0.7, 40.0] {
+            let pairs = [
+                (one.g(&x), other.g(&x)),
+                (one.slope(&x), other.slope(&x)),
+                (one.mean(&x), other.mean(&x)),
+                (one.above_mean(&x), other.above_mean(&x)),
+            ];
+            for (index, (one, other)) in pairs.into_iter().enumerate() {
+                let (one, other) = (one.unwrap(), other.unwrap());
+                assert!((one - other).abs() <= 1e-12 * other.abs(), "{what} {index} at {x}: {one} {other}");
+            }
+        }
+    };
+    for k in [-0.9, -0.3, 0.5, 0.95] {
+        let powers = Powers::graded([(2.0, 0.5)], &k).unwrap();
+        compare(&Weighted::graded(ball(), k), &powers, &format!("graded, k = {k}"));
+    }
+    compare(&Weighted::winkler(ball(), 1.0), &Powers::winkler([(2.0, 0.5)]).unwrap(), "winkler");
+    let line = LineLoad::new(Box::new(Weighted::line(ball(), 1.0)), None);
+    compare(&line, &LineLoad::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), "line");
+    let kinked =
+        || Heights::new([Shape::RoundedPunch { radius: 1.0, flat: 0.2 }, Shape::Paraboloid { radius: 3.0 }]).unwrap();
+    compare(&Weighted::graded(kinked(), 0.0), &Quadrature::new(kinked()), "kinked");
+}

@@ -1,0 +1,135 @@
+//! The path between two works of adhesion over enclosures: every digit and every decision proved, except for its energies.
+
+use mdr_core::contact::{self, Control, Edge, Error, Result};
+use mdr_core::number::certify::Enclosure;
+use mdr_core::number::{Interval, Precision, Real};
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::folds::{Folds, SearchQuality};
+use mdr_numeric::path::{EventKind, Path};
+use mdr_numeric::proof::ProvedBranches;
+use rug::Float;
+
+use super::proof::{ENOUGH, set_exact};
+use super::{LoadingPath, PathNumbers, edges, events, is_arrival};
+use crate::answer::record::Numbers;
+use crate::answer::{Completeness, Number, Promise};
+use crate::solve::certified::Certified;
+use crate::solve::digits::{agree, decide_from, guarded, raised, start};
+use crate::solve::model::Model;
+use crate::solve::proof::{Enclosed, FoldProof, decided};
+
+/// The contact at the works of adhesion of an advancing and of a receding edge, each with all its folds.
+pub(super) struct Pair<'a, 's> {
+    pub(super) edges: [&'a Certified<'s>; 2],
+    pub(super) folds: [&'a FoldProof; 2],
+}
+
+/// A path that was followed over enclosures.
+pub(super) struct Followed {
+    path: Path<Interval>,
+    /// The path with contact radii for sizes.
+    shown: Path<Interval>,
+    folds: [Vec<contact::Fold<Interval>>; 2],
+    control: Control<Interval>,
+    bits: u32,
+}
+
+impl Followed {
+    /// Every decision on the path is certain.
+    ///
+    /// # Errors
+    /// No stable equilibrium at the first way point; errors of the transform, see [`Path::follow_edges`]; [`Error::Unproved`] if
+    /// more bits do not help.
+    fn new(pair: &Pair<'_, '_>, precision: Precision) -> Result<Self> {
+        let [advancing, receding] = pair.edges;
+        let branches = |certified: &Certified<'_>, folds: &FoldProof| {
+            let enclosed = Enclosed::new(certified, precision)?;
+            let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
+            Ok((branches.with_admissibility(receding.admissibility()?), enclosed.value))
+        };
+        let (outer, _) = branches(advancing, pair.folds[0])?;
+        let (inner, model) = branches(receding, pair.folds[1])?;
+        let control = model.control().clone();
+        let unproved = || {
+            let (from, to) = ("0".to_owned(), "infinity".to_owned());
+            Error::Unproved { quantity: control.quantity(), from, to, remedy: "name a wider range of radii" }
+        };
+        let path = match edges::follow(&model, [&outer, &inner], receding.scene) {
+            // There is none in the range of the proof, whatever the precision.
+            Err(Error::NoEquilibrium { .. }) => return Err(unproved()),
+            path => path?,
+        };
+        let asked_for = start(receding.digits).bits();
+        for branches in [&outer, &inner] {
+            branches.check(&path).map_err(|error| match error {
+                // The rest of the radii is long, and not a matter of bits.
+                Error::Undecided { bits, .. } if bits >= ENOUGH * asked_for => unproved(),
+                error => error,
+            })?;
+        }
+        let finite = |branches: &ProvedBranches| {
+            branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect()
+        };
+        let shown = events::shown(&path, model.contact().medium());
+        Ok(Followed { path, shown, folds: [finite(&outer), finite(&inner)], control, bits: precision.bits() })
+    }
+
+    /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is
+    /// searched again.
+    ///
+    /// # Errors
+    /// Errors of the transform; an energy that is not representable. See [`edges::with_energy`].
+    pub(super) fn with_energy(mut self, pair: &Pair<'_, '_>) -> Result<PathNumbers<Number>> {
+        let receding = pair.edges[1];
+        agree(receding.digits, |precision| {
+            if self.bits < guarded(precision).bits() {
+                self = Followed::new(pair, guarded(precision))?;
+            }
+            let model: Model<Float> = receding.model(precision)?;
+            let rounded = |number: &Interval| Float::with_val(precision.bits(), number.mid());
+            let branches = |edge: Edge, folds: &[contact::Fold<Interval>]| {
+                let folds = folds.iter().map(|fold| fold.map(rounded)).collect();
+                let (poles, out_of_range) = (Vec::new(), Vec::new());
+                let folds = Folds { folds, poles, out_of_range, completeness: SearchQuality::Resolved };
+                let branches = SearchedBranches::cut_at(model.at(edge).contact(), folds);
+                Ok(branches.with_admissibility(receding.admissibility()?))
+            };
+            let advancing = branches(Edge::Advancing, &self.folds[0])?;
+            let receding = branches(Edge::Receding, &self.folds[1])?;
+            edges::with_energy(&self.path.map(rounded), &pair.edges[1].scene.path, [&advancing, &receding])
+        })
+    }
+}
+
+/// The path without its energy, every decision of it proved; `None` if one cannot be proved.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform. See [`Path::follow_edges`].
+pub(super) fn path(pair: &Pair<'_, '_>) -> Result<Option<(LoadingPath, Followed)>> {
+    let receding = pair.edges[1];
+    let scene = receding.scene;
+    // As precise as the energies will need the states.
+    let precision = guarded(raised(start(receding.digits)));
+    let mut last = None;
+    let items = decide_from(precision, receding.digits, |precision| {
+        let followed = last.insert(Followed::new(pair, precision)?);
+        let events = events::events(&followed.control, &followed.shown, &*receding.admissibility()?);
+        let mut events = events.convert(Enclosure::from);
+        let (mut way, mut held) = (scene.path.iter(), None);
+        for (record, event) in events.iter_mut().zip(&followed.path.events) {
+            if is_arrival(event.kind) {
+                held = way.next();
+            }
+            // An edge stops at the way point at which the controlled quantity turns.
+            if let Some(literal) = held.filter(|_| is_arrival(event.kind) || event.kind == EventKind::Pinned) {
+                set_exact(record, event, &scene.control, literal);
+            }
+        }
+        Ok(events)
+    });
+    let why = "every decision on the path is certain, and the folds of both edges are proved to be all";
+    let complete = Completeness { why: why.to_owned(), ..pair.folds[1].complete.clone() };
+    let path = |events| LoadingPath::new(Promise::Certified, PathNumbers { events, balance: None }, complete);
+    Ok(decided(items)?.map(path).zip(last))
+}

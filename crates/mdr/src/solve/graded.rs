@@ -1,0 +1,99 @@
+//! Functions of the exponents of a profile and a graded medium, which involve the Gamma function.
+
+#[cfg(feature = "mp")]
+use mdr_core::number::{Dual, Interval};
+use mdr_core::number::{Gamma, Special};
+use mdr_numeric::transform::graded_kappa;
+
+/// Functions of the exponents alone, which involve the Gamma function; over dual numbers they are constants.
+pub(crate) trait GradedReal: Special {
+    /// κ(n, k).
+    fn kappa_of_grade(n: &Self, k: &Self) -> Self;
+
+    /// h_N(k, ν), see [`stiffness_of_grade`].
+    fn factor_of_grade(k: &Self, nu: &Self) -> Self;
+}
+
+/// h_N(k, ν) = 2(1 + k) cos(kπ/2) Γ(1 + k/2)/(√π C β sin(βπ/2) Γ((1 + k)/2)), where β² = (1 + k)(1 − kν/(1 − ν)) and
+/// C = 2^(1+k) Γ((3 + k + β)/2) Γ((3 + k − β)/2)/(π Γ(2 + k)): c of one graded body is h_N E/((1 − ν²)z₀ᵏ) (A. E. Giannakopoulos
+/// and S. Suresh, Int. J. Solids Struct. 34 (1997) 2357).
+fn factor_of_grade<R: Gamma + Special>(k: &R, nu: &R) -> R {
+    let one = k.lit(1);
+    let order = one.clone() + k;
+    let beta = (order.clone() * (one.clone() - k.clone() * nu / (one.clone() - nu))).sqrt();
+    let half_of_pi = k.pi().over(2);
+    let ends = [k.lit(3) + k + &beta, k.lit(3) + k - &beta].map(|end| end.over(2).gamma());
+    let [first, second] = ends;
+    let c = k.lit(2).pow(&order) * first * second / (k.pi() * (k.lit(2) + k).gamma());
+    let top = order.clone().times(2) * (half_of_pi.clone() * k).cos() * (one + k.clone().over(2)).gamma();
+    top / (k.pi().sqrt() * c * &beta * (half_of_pi * &beta).sin() * order.over(2).gamma())
+}
+
+/// By an enclosure of 160 bits, which leaves the rounding alone.
+#[cfg(feature = "mp")]
+impl GradedReal for f64 {
+    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
+        use mdr_core::number::Real;
+        let [n, k] = [n, k].map(|x| enclosed(*x));
+        graded_kappa(&n, &k).approx()
+    }
+
+    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
+        use mdr_core::number::Real;
+        let [k, nu] = [k, nu].map(|x| enclosed(*x));
+        factor_of_grade(&k, &nu).approx()
+    }
+}
+
+#[cfg(feature = "mp")]
+fn enclosed(x: f64) -> Interval {
+    use mdr_core::number::Real;
+    Interval::from_f64(mdr_core::number::Precision::new(160), x)
+}
+
+#[cfg(not(feature = "mp"))]
+impl GradedReal for f64 {
+    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
+        graded_kappa(n, k)
+    }
+
+    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
+        factor_of_grade(k, nu)
+    }
+}
+
+/// With thirty-two guard bits.
+#[cfg(feature = "mp")]
+impl GradedReal for rug::Float {
+    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
+        let [wide_n, wide_k] = [n, k].map(|x| rug::Float::with_val(n.prec() + 32, x));
+        rug::Float::with_val(n.prec(), graded_kappa(&wide_n, &wide_k))
+    }
+
+    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
+        let [wide_k, wide_nu] = [k, nu].map(|x| rug::Float::with_val(k.prec() + 32, x));
+        rug::Float::with_val(k.prec(), factor_of_grade(&wide_k, &wide_nu))
+    }
+}
+
+#[cfg(feature = "mp")]
+impl GradedReal for Interval {
+    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
+        graded_kappa(n, k)
+    }
+
+    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
+        factor_of_grade(k, nu)
+    }
+}
+
+#[cfg(feature = "mp")]
+impl GradedReal for Dual<Interval> {
+    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
+        Dual::constant(graded_kappa(&n.value, &k.value))
+    }
+
+    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
+        Dual::constant(factor_of_grade(&k.value, &nu.value))
+    }
+}

@@ -1,0 +1,230 @@
+//! Scenes with two works of adhesion.
+
+#![cfg(all(feature = "mp", feature = "toml"))]
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use mdr::answer::{Dissipation, LoadingPath, Optional, PathEvent};
+use mdr::prelude::*;
+use mdr::{Error, no_files};
+
+fn scene(profile: &str, works: [&str; 2], control: &str, output: &str) -> Result<Scene, Error> {
+    let [advancing, receding] = works;
+    let text = format!(
+        "[profile]\n{profile}\n[material]\ne_star = 1\n\
+         work_of_adhesion = {{ advancing = \"{advancing}\", receding = \"{receding}\" }}\n\
+         [control]\n{control}\n[output]\n{output}\n"
+    );
+    Scene::from_toml(&text, "scene.toml", &no_files)
+}
+
+const BALL: &str = "kind = \"paraboloid\"\nradius = 1";
+const WAVY: &str = "kind = \"wavy-paraboloid\"\nradius = 1\namplitude = \"5e-4\"\nwavelength = \"0.1\"";
+
+fn path(scene: &Scene) -> LoadingPath {
+    scene.solve().unwrap().path().unwrap().clone()
+}
+
+fn event<'p>(path: &'p LoadingPath, kind: &str) -> &'p PathEvent {
+    path.events.items.iter().find(|event| event.event.name() == kind).unwrap()
+}
+
+fn text(value: &Option<Value>) -> String {
+    value.as_ref().unwrap().to_string()
+}
+
+fn kinds(path: &LoadingPath) -> Vec<&'static str> {
+    path.events.items.iter().map(|event| event.event.name()).collect()
+}
+
+/// Values of a sphere with E* = R = 1, w₁ = 1/100, w₂ = 4/100 from its closed forms, in 20 digits that are proved.
+#[test]
+fn known_values_in_certified_digits() {
+    // d = g(1/2) − Δl₁(1/2) = 1/4 − √(π/100).
+    let way = "kind = \"indentation\"\npath = [\"-0.3\", \"0.07275461490944839727018325166588548172024505438776\", \"-0.3\"]\nstart = \"detached\"";
+    let found = path(&scene(BALL, ["0.01", "0.04"], way, "want = [\"path\"]").unwrap());
+    assert_eq!(found.events.promise, Promise::Certified);
+    assert_eq!(text(&event(&found, "jump-in").to_contact_radius), "0.39755140207189853674");
+    let set_free = event(&found, "depinned");
+    assert_eq!(text(&set_free.contact_radius), "0.50000000000000000000");
+    assert_eq!(text(&set_free.indentation), "-0.10449077018110320546");
+    assert_eq!(text(&set_free.force), "-0.18782410351443653879");
+    // d = g − Δl₁ at a = 0.45.
+    let way = "kind = \"indentation\"\npath = [\"-0.3\", \"0.03435026350806213902066152698393597318437028674367\", \"-0.3\"]\nstart = \"detached\"";
+    let found = path(&scene(BALL, ["0.01", "0.04"], way, "want = [\"path\"]").unwrap());
+    let Dissipation::Finite(jump_in) = event(&found, "jump-in").dissipated.clone().unwrap() else { panic!("finite") };
+    assert_eq!(jump_in.to_string(), "0.0029791179755832651070");
+    let Dissipation::Finite(off) = event(&found, "detached").dissipated.clone().unwrap() else { panic!("finite") };
+    assert_eq!(off.to_string(), "0.0031527033389188318854");
+}
+
+/// A contact that was pressed too little breaks as soon as it is set free.
+#[test]
+fn pull_off_depends_on_the_preload() {
+    let way = "kind = \"indentation\"\npath = [\"-0.08\", \"-0.3\"]\nstart = \"0.2\"";
+    let found = scene(BALL, ["0.01", "0.04"], way, "want = [\"path\", \"force-curve\"]").unwrap().solve().unwrap();
+    let followed = found.path().unwrap();
+    assert_eq!(kinds(followed), ["start", "depinned", "detached", "end"]);
+    assert_eq!(text(&event(followed, "detached").force), "-0.079013192795700192522");
+    let force = found.force_curve().unwrap().summary.pull_off_force.as_ref().and_then(Value::to_f64).unwrap();
+    assert!((force / -0.079_013_192_795_700_2 - 1.0).abs() < 1e-14);
+}
+
+/// The work is what is stored and lost; what is lost is lost in jumps and by the receding edge: to the last of 20 digits.
+#[test]
+fn balance_is_exact() {
+    let machine = "kind = \"machine\"\nstiffness = \"0.3\"\nstart = \"detached\"\n";
+    let grips = "kind = \"indentation\"\nstart = \"detached\"\n";
+    for (profile, works, control, way) in [
+        (BALL, ["0.01", "0.04"], grips, "[\"-0.3\", \"0.05\", \"-0.1\", \"0.05\", \"-0.3\"]"),
+        (BALL, ["0", "0.04"], grips, "[\"-0.3\", \"0.05\", \"-0.1\", \"0.1\", \"-0.185\"]"),
+        (BALL, ["0.01", "0.04"], machine, "[\"-0.3\", \"0.5\", \"0.2\", \"0.5\", \"0.6\", \"-1\"]"),
+        (WAVY, ["2e-5", "1e-4"], grips, "[\"-0.01\", \"0.01\", \"-0.002\", \"0.01\", \"-0.05\"]"),
+        (WAVY, ["2e-5", "1e-4"], machine, "[\"-0.01\", \"0.02\", \"0.005\", \"0.02\", \"-0.05\"]"),
+        ("kind = \"cone\"\nslope = \"1/10\"", ["1e-4", "2e-4"], grips, "[\"-0.1\", \"0.01\", \"-0.1\"]"),
+        ("kind = \"power\"\nn = 4\nc = 1", ["1e-4", "2e-4"], grips, "[\"-0.1\", \"0.01\", \"0\"]"),
+    ] {
+        let found = path(&scene(profile, works, &format!("{control}path = {way}"), "want = [\"path\"]").unwrap());
+        assert_eq!(found.events.promise, Promise::Certified, "{profile} {way}");
+        let balance = found.balance.unwrap();
+        let number = |value: &Value| value.to_f64().unwrap();
+        let part = |value: &Optional| number(value.0.as_ref().unwrap());
+        let (jumps, hysteresis) = (part(&balance.jumps), part(&balance.hysteresis));
+        let [work, lost, stored] = [&balance.work, &balance.dissipated, &balance.stored].map(number);
+        assert!((lost - jumps - hysteresis).abs() <= 4e-16 * lost, "{profile} {way}");
+        assert!((work - lost - stored).abs() <= 4e-16 * (lost + stored.abs()), "{profile} {way}");
+        let each: f64 = found.events.items.iter().map(|event| part(&event.hysteresis)).sum();
+        assert!((each - hysteresis).abs() <= 1e-15 * hysteresis && hysteresis > 0.0, "{profile} {way}");
+    }
+}
+
+/// On a graded half-space and on springs the loop closes as well: the balance, and the closed forms of a foundation.
+#[test]
+fn media_with_hysteresis() {
+    for medium in ["kind = \"graded\"\nexponent = \"3/10\"\ncoefficient = 1", "kind = \"winkler\"\nmodulus = 1"] {
+        let scene_of = |works: &str, control: &str| {
+            format!(
+                "[medium]\n{medium}\n[profile]\nkind = \"paraboloid\"\nradius = 1\n[material]\nwork_of_adhesion = {works}\n\
+                 [control]\nkind = \"indentation\"\n{control}\nstart = \"detached\"\n[output]\nwant = [\"path\"]\n"
+            )
+        };
+        let control = "path = [\"-1\", \"0.2\", \"-1\"]";
+        let two = scene_of("{ advancing = \"0.01\", receding = \"0.04\" }", control);
+        let found = path(&Scene::from_toml(&two, "", &no_files).unwrap());
+        let expected = ["start", "jump-in", "way-point", "pinned", "depinned", "detached", "end"];
+        assert_eq!(kinds(&found), expected, "{medium}");
+        assert_eq!(found.events.promise, Promise::Certified, "{medium}");
+        let number = |value: &Value| value.to_f64().unwrap();
+        let balance = found.balance.clone().unwrap();
+        let radius = number(event(&found, "pinned").contact_radius.as_ref().unwrap());
+        let hysteresis = number(balance.hysteresis.0.as_ref().unwrap());
+        let swept = 0.03 * std::f64::consts::PI * radius * radius;
+        assert!((hysteresis / swept - 1.0).abs() < 1e-14, "{medium}");
+        // The advancing edge of w₁ alone reaches the same radius, and the receding one leaves it as that of w₂ does.
+        let one = path(&Scene::from_toml(&scene_of("\"0.01\"", control), "", &no_files).unwrap());
+        let way_points = [&found, &one].map(|path| text(&path.events.items[2].contact_radius));
+        assert_eq!(way_points[0], way_points[1], "{medium}");
+    }
+}
+
+/// f64 follows the same path as enclosures.
+#[test]
+fn doubles_follow_the_certified_path() {
+    for (profile, works, control) in [
+        (BALL, ["0.01", "0.04"], "kind = \"force\"\npath = [\"-1\", \"0.1\", \"-0.1\", \"0.1\", \"-0.19\"]"),
+        (BALL, ["0", "0.04"], "kind = \"force\"\npath = [\"-1\", \"0.01\", \"-1\"]"),
+        (
+            WAVY,
+            ["2e-5", "1e-4"],
+            "kind = \"indentation\"\npath = [\"-0.01\", \"0.01\", \"-0.002\", \"0.02\", \"-0.05\"]",
+        ),
+        (
+            WAVY,
+            ["9e-5", "1e-4"],
+            "kind = \"machine\"\nstiffness = 1\npath = [\"-0.01\", \"0.01\", \"0\", \"0.02\", \"-0.05\"]",
+        ),
+        (WAVY, ["2e-5", "1e-4"], "kind = \"force\"\npath = [\"-0.01\", \"1e-3\", \"-1e-4\", \"2e-3\", \"-0.05\"]"),
+    ] {
+        let control = format!("{control}\nstart = \"detached\"");
+        let certified = scene(profile, works, &control, "want = [\"path\"]").unwrap();
+        let double = certified.clone().arithmetic(Arithmetic::Double);
+        let [certified, double] = [path(&certified), path(&double)];
+        assert_eq!(certified.events.promise, Promise::Certified, "{profile} {control}");
+        assert_eq!(kinds(&certified), kinds(&double), "{profile} {control}");
+        for (one, other) in certified.events.items.iter().zip(&double.events.items) {
+            assert_eq!(one.edge, other.edge);
+            for (one, other) in
+                [(&one.contact_radius, &other.contact_radius), (&one.to_contact_radius, &other.to_contact_radius)]
+            {
+                let number = |value: &Option<Value>| value.as_ref().map(|value| value.to_f64().unwrap());
+                let (one, other) = (number(one).unwrap_or(0.0), number(other).unwrap_or(0.0));
+                // At a fold the radius has half the digits of the controlled quantity.
+                assert!((one - other).abs() <= 1e-7 * one, "{one} {other} {control}");
+            }
+        }
+    }
+}
+
+/// One number means both, and two equal numbers are one: every answer is the same.
+#[test]
+fn equal_works_are_one() {
+    let control = "kind = \"indentation\"\npath = [\"-0.3\", \"0.05\", \"-0.3\"]\nstart = \"detached\"";
+    let output = "want = [\"path\", \"force-curve\", \"folds\", \"equilibria\", \"energy\"]\nequilibria = { at = [0] }";
+    let two = scene(BALL, ["0.04", "40 mJ/m2"], control, output).unwrap();
+    let one = format!(
+        "[profile]\n{BALL}\n[material]\ne_star = 1\nwork_of_adhesion = \"0.04\"\n[control]\n{control}\n[output]\n{output}\n"
+    );
+    let one = Scene::from_toml(&one, "", &no_files).unwrap();
+    assert_eq!(two.solve().unwrap().to_json(), one.solve().unwrap().to_json());
+}
+
+/// Folds and equilibria are those of both edges, each with its name.
+#[test]
+fn folds_and_equilibria_name_their_edge() {
+    let output = "want = [\"folds\", \"equilibria\"]\nequilibria = { at = [0] }";
+    let answer = scene(BALL, ["0.01", "0.04"], "kind = \"force\"", output).unwrap().solve().unwrap();
+    let folds = answer.folds().unwrap();
+    let named: Vec<(&str, f64)> =
+        folds.items.iter().map(|fold| (fold.edge.unwrap().name(), fold.force.to_f64().unwrap())).collect();
+    let jkr = |w: f64| -1.5 * std::f64::consts::PI * w;
+    for ((edge, force), (name, w)) in named.iter().zip([("advancing", 0.01), ("receding", 0.04)]) {
+        assert!(*edge == name && (force / jkr(w) - 1.0).abs() < 1e-15, "{named:?}");
+    }
+    let states = &answer.equilibria().unwrap().items[0].items;
+    assert_eq!(states.iter().map(|state| state.edge.unwrap().name()).collect::<Vec<_>>(), ["advancing", "receding"]);
+}
+
+/// An edge that turns, turns back within the pin, and comes to the same value again, exactly: decided, not guessed.
+#[test]
+fn same_value_again_is_decided() {
+    let way =
+        "kind = \"force\"\npath = [\"0.1\", \"0.05\", \"0.1\", \"1/20\", \"0.11\", \"0.05\"]\nstart = \"smallest\"";
+    let found = path(&scene(BALL, ["0.01", "0.04"], way, "want = [\"path\"]").unwrap());
+    assert_eq!(found.events.promise, Promise::Certified);
+    assert_eq!(
+        kinds(&found),
+        ["start", "pinned", "way-point", "way-point", "way-point", "depinned", "way-point", "pinned", "end"]
+    );
+    assert_eq!(text(&event(&found, "depinned").force), "0.10000000000000000000");
+}
+
+/// What is refused names the key, the value and the remedy.
+#[test]
+fn refusals_have_a_remedy() {
+    let control = "kind = \"indentation\"\npath = [0, \"-0.3\"]";
+    for (works, part) in [
+        (["0.05", "0.04"], "exchange the two"),
+        (["-0.01", "0.04"], "must not be negative"),
+        (["0", "0"], "must be positive"),
+        (["0.01 N", "0.04"], "work_of_adhesion.advancing"),
+        (["x", "0.04"], "work_of_adhesion.advancing"),
+    ] {
+        let error = scene(BALL, works, control, "want = [\"path\"]").unwrap_err().to_string();
+        assert!(error.contains(part) && error.contains("work_of_adhesion"), "{error}");
+    }
+    for want in ["energy", "pressure", "gap", "displacement", "curve"] {
+        let output = format!("want = [\"{want}\"]");
+        let refused = scene(BALL, ["0.01", "0.04"], control, &output).and_then(|scene| scene.solve());
+        let error = refused.unwrap_err().to_string();
+        assert!(error.contains(want) && error.contains("give the one work of adhesion"), "{error}");
+    }
+}
