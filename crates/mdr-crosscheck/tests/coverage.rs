@@ -73,6 +73,8 @@ const EXEMPT: &[(&str, &str)] = &[
 const COMPARED: &[(&str, &str)] = &[
     ("Curve::", "states in logarithms: crates/mdr-analytic/tests/curve.rs has them beside those of PowerLawContact"),
     ("Point::", "accessors of such a state"),
+    ("EnergySum::", "sums of the energies of such states, which the balance of a path of a power law prints"),
+    ("PathPoint::", "accessors of a state on a path"),
     ("Scaled::", "sums and signs of enclosures with an exponent of their own"),
 ];
 

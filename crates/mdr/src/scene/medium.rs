@@ -292,10 +292,6 @@ impl Scene {
                        its distance, or control the force per length, kind = \"force\"";
             return Err(self.places.of("control").refuse(why));
         }
-        if self.has_two_works() && !self.medium.is_half_space() {
-            let why = format!("two works of adhesion are not available on kind = \"{}\"; give one", self.medium.name());
-            return Err(self.places.of("material.work_of_adhesion").refuse(why));
-        }
         if self.range_of_adhesion.is_some() && !self.medium.is_half_space() {
             let why = format!(
                 "the theory of a finite range of adhesion is not available on kind = \"{}\"",
