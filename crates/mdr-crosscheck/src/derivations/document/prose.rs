@@ -42,9 +42,11 @@ pub(super) fn signs() -> impl Iterator<Item = Sign> {
 /// TeX as a line of text: fractions on a line, commands as signs, without braces.
 fn plain(tex: &str) -> String {
     let mut text = tex.replace(r"\,", "").replace(r"\text", "").replace(r"\mathbf", "").replace("{}_2", "₂");
-    for digits in ["12", "13", "14", "34", "52"] {
+    for digits in ["12", "13", "14", "32", "34", "38", "52"] {
         let (above, below) = digits.split_at(1);
-        text = text.replace(&format!(r"\tfrac{digits}"), &format!("{above}/{below}"));
+        for command in [r"\tfrac", r"\frac"] {
+            text = text.replace(&format!("{command}{digits}"), &format!("{above}/{below}"));
+        }
     }
     let text_of = |part: &str| if part.chars().count() == 1 { part.to_owned() } else { format!("({part})") };
     while let Some((before, rest)) = text.split_once(r"\frac{")
@@ -54,7 +56,11 @@ fn plain(tex: &str) -> String {
         text = format!("{before}{}/{}{after}", text_of(above), text_of(below));
     }
     for Sign { command, text: sign, .. } in signs().filter(|sign| !sign.command.is_empty()) {
-        text = text.replace(&format!("{command} "), sign).replace(command, sign);
+        let before_equals = (format!("{command} ="), format!("{sign} ="));
+        text = text
+            .replace(&before_equals.0, &before_equals.1)
+            .replace(&format!("{command} "), sign)
+            .replace(command, sign);
     }
     let text = text.replace("^{", "^(").replace("_{", "_(").replace("√{", "√(");
     // Braces of an exponent or index become brackets if they hold more than a sign.
