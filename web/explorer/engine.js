@@ -12,6 +12,8 @@ const KINDS = [
   'not-admissible',
   'way-point',
   'end',
+  'pinned',
+  'depinned',
 ];
 const UNDECIDED = -2;
 /** No answer, as the instance is gone. */

@@ -198,5 +198,7 @@ fn number(kind: EventKind) -> f64 {
         EventKind::NotAdmissible => 8,
         EventKind::WayPoint => 9,
         EventKind::End => 10,
+        EventKind::Pinned => 11,
+        EventKind::Depinned => 12,
     })
 }

@@ -27,7 +27,7 @@ from ._profiles import *
 from ._scene import File, Picture, Solution, solve
 from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Status, Trace
 
-RECORDS_RELEASE: Final = 3
+RECORDS_RELEASE: Final = 4
 
 __all__ = [
     "CERTIFIED", "RECORDS_RELEASE", "__version__",
