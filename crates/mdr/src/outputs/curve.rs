@@ -11,7 +11,7 @@ use mdr_core::number::{Interval, certify::Enclosure};
 use mdr_numeric::admissible::Admissibility;
 
 use super::key::Key;
-use super::room::{Facts, Open, Room as IsRoom, Subject, not_wanted};
+use super::room::{Facts, Open, Request, Room as IsRoom, Subject, not_wanted};
 use super::{Output, Want};
 #[cfg(feature = "mp")]
 use crate::answer::Promise;
@@ -76,11 +76,13 @@ impl Room<'_> {
     }
 }
 
-impl<'w> IsRoom<'w> for Room<'w> {
+impl<'w> Request<'w> for Room<'w> {
     fn rows(&self) -> usize {
         self.at.len()
     }
+}
 
+impl<'w> IsRoom<'w> for Room<'w> {
     /// Proved where g has enclosures.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {

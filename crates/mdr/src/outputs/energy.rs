@@ -13,7 +13,7 @@ use {
     rug::Rational,
 };
 
-use super::room::{Facts, Open, Room as IsRoom, Subject, not_wanted};
+use super::room::{Facts, Open, Request, Room as IsRoom, Subject, not_wanted};
 use super::{Output, Want};
 use crate::answer::record::{Numbers, record};
 use crate::answer::{Admission, AtValue, PlainState, Value};
@@ -51,11 +51,13 @@ pub(super) struct Room<'w> {
     pub(super) states: &'w [Literal],
 }
 
-impl<'w> IsRoom<'w> for Room<'w> {
+impl<'w> Request<'w> for Room<'w> {
     fn values(&self) -> &'w [Literal] {
         self.states
     }
+}
 
+impl<'w> IsRoom<'w> for Room<'w> {
     #[cfg(feature = "mp")]
     fn by_law(&self, law: &PowerLaw<'_>) -> Result<Option<Output>> {
         let items = law.described(self.states, |curve, point, value| of_law(law, curve, point, value))?;

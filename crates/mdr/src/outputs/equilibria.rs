@@ -14,7 +14,7 @@ use mdr_numeric::admissible::{Admissibility, Verdict};
 use mdr_numeric::{branch::EquilibriumBranches, proof::ProvedBranches};
 
 use super::key::Key;
-use super::room::{Facts, Open, Room as IsRoom, Subject};
+use super::room::{Facts, Open, Request, Room as IsRoom, Subject};
 use super::{Output, OutputKind, Want};
 use crate::answer::List;
 use crate::answer::record::{Numbers, record};
@@ -75,7 +75,7 @@ pub(super) struct Room<'w> {
     pub(super) at: &'w [Literal],
 }
 
-impl<'w> IsRoom<'w> for Room<'w> {
+impl<'w> Request<'w> for Room<'w> {
     fn values(&self) -> &'w [Literal] {
         self.at
     }
@@ -84,6 +84,12 @@ impl<'w> IsRoom<'w> for Room<'w> {
         true
     }
 
+    fn missing(&self) -> Option<&'static str> {
+        self.at.is_empty().then_some("values: [output.equilibria] at = [\"…\"]")
+    }
+}
+
+impl<'w> IsRoom<'w> for Room<'w> {
     /// At each value the states of both edges, by increasing radius.
     fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
         let [Output::Equilibria(advancing), Output::Equilibria(receding)] = outputs else { return None };
@@ -97,10 +103,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
         let (mut all, items) = (advancing.map(of(Edge::Advancing)), receding.items);
         all.items = std::mem::take(&mut all.items).into_iter().zip(items).map(|(one, other)| one.and(other)).collect();
         Some(Output::Equilibria(all.and(List { items: Vec::new(), ..receding })))
-    }
-
-    fn missing(&self) -> Option<&'static str> {
-        self.at.is_empty().then_some("values: [output.equilibria] at = [\"…\"]")
     }
 
     #[cfg(feature = "mp")]

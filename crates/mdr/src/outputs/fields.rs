@@ -9,7 +9,7 @@ use mdr_core::number::Literal;
 use mdr_numeric::fields::Fields;
 
 use super::Output;
-use super::room::{Open, Room};
+use super::room::{Open, Request, Room};
 use crate::answer::record::{Numbers, Part, Row};
 use crate::answer::{Admission, AtValue, Cell, Column, List, Number, PlainState, Value};
 use crate::solve::model::SceneReal;
@@ -114,7 +114,7 @@ pub(super) trait FieldRoom<'w> {
     }
 }
 
-impl<'w, F: FieldRoom<'w>> Room<'w> for F {
+impl<'w, F: FieldRoom<'w>> Request<'w> for F {
     fn values(&self) -> &'w [Literal] {
         let [states, _] = self.question();
         states
@@ -124,7 +124,9 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
         let [states, at] = self.question();
         states.len().max(1).saturating_mul(if at.is_empty() { CHOSEN_RADII } else { at.len() })
     }
+}
 
+impl<'w, F: FieldRoom<'w>> Room<'w> for F {
     #[cfg(feature = "mp")]
     fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
         let [states, at] = self.question();

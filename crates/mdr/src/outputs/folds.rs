@@ -11,7 +11,7 @@ use mdr_core::number::{Interval, certify::Enclosure};
 use mdr_numeric::admissible::{Admissibility, Verdict};
 
 use super::key::Key;
-use super::room::{Facts, Open, Room as IsRoom, Subject};
+use super::room::{Facts, Open, Request, Room as IsRoom, Subject};
 use super::{Output, OutputKind, Want};
 #[cfg(feature = "mp")]
 use crate::answer::record::Numbers;
@@ -103,11 +103,17 @@ pub(super) struct Room<'w> {
     pub(super) range: &'w Option<[Literal; 2]>,
 }
 
-impl<'w> IsRoom<'w> for Room<'w> {
+impl<'w> Request<'w> for Room<'w> {
     fn range(&self) -> Option<&'w [Literal; 2]> {
         self.range.as_ref()
     }
 
+    fn has_edges(&self) -> bool {
+        true
+    }
+}
+
+impl<'w> IsRoom<'w> for Room<'w> {
     #[cfg(feature = "mp")]
     fn by_law(&self, law: &PowerLaw<'_>) -> Result<Option<Output>> {
         let folds = List::new(Promise::Certified, of_answer(law.question.answer(law.digits)?));
@@ -135,10 +141,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
         let folds: Vec<_> =
             search.folds()?.folds.iter().map(|fold| judged(&search.model, fold.clone(), &admissibility)).collect();
         Ok(Output::Folds(search::list(folds).complete(search.completeness()?)))
-    }
-
-    fn has_edges(&self) -> bool {
-        true
     }
 
     fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {

@@ -32,7 +32,7 @@ use mdr_core::named;
 use mdr_core::number::Literal;
 
 use self::key::Keys;
-use self::room::{Content, Facts, Room, Subject};
+use self::room::{Content, Facts, Request, Room, Subject};
 use crate::answer::record::Row;
 use crate::answer::{Answer, AtValue, Column, Completeness, List, NumberStyle, Promise};
 #[cfg(feature = "mp")]
@@ -101,6 +101,12 @@ macro_rules! outputs {
             }
 
             pub(crate) fn room(&self) -> Box<dyn Room<'_> + '_> {
+                match self {
+                    $(Want::$kind $({ $($field),* })? => Box::new($room::Room { $($($field),*)? }),)*
+                }
+            }
+
+            pub(crate) fn request(&self) -> Box<dyn Request<'_> + '_> {
                 match self {
                     $(Want::$kind $({ $($field),* })? => Box::new($room::Room { $($($field),*)? }),)*
                 }
@@ -241,24 +247,24 @@ impl Want {
 
     /// The values of the controlled quantity at which the output is requested.
     pub fn values(&self) -> &[Literal] {
-        self.room().values()
+        self.request().values()
     }
 
     /// The least number of rows of the output, by the given values.
     pub(crate) fn rows(&self) -> usize {
-        self.room().rows()
+        self.request().rows()
     }
 
     /// The missing input of a scene with or without a material and a path.
     pub(crate) fn missing(&self, has_material: bool, path: &[Literal]) -> Option<&'static str> {
         match self.kind().facts().of {
-            Subject::Profile => self.room().missing(),
+            Subject::Profile => self.request().missing(),
             _ if !has_material => Some("a material: [material] e_star, work_of_adhesion"),
             Subject::Path if path.len() < 2 => Some("at least two way points: [control] path = [\"…\", \"…\"]"),
             Subject::States if self.values().is_empty() && path.is_empty() => {
                 Some("states: [output.equilibria] at = [\"…\"], or the start of a path")
             }
-            _ => self.room().missing(),
+            _ => self.request().missing(),
         }
     }
 }

@@ -41,8 +41,8 @@ pub(crate) fn not_wanted(scene: &Scene, kind: OutputKind, _drawn: bool) -> Optio
     (!scene.has(|other| other == kind)).then_some("it is not wanted")
 }
 
-/// One requested output, with its question.
-pub(crate) trait Room<'w> {
+/// The question of one requested output. Whoever reads a scene needs this alone, and no computation.
+pub(crate) trait Request<'w> {
     /// The values of the controlled quantity at which it is requested.
     fn values(&self) -> &'w [Literal] {
         &[]
@@ -68,14 +68,17 @@ pub(crate) trait Room<'w> {
         false
     }
 
-    /// The outputs at the work of adhesion of an advancing and of a receding edge as one, where it is made of the two.
-    fn of_edges(&self, _: [Output; 2]) -> Option<Output> {
-        None
-    }
-
     /// Whether a scene is refused in which its path cannot start.
     fn needs_start(&self) -> bool {
         false
+    }
+}
+
+/// One requested output, and who can answer it.
+pub(crate) trait Room<'w>: Request<'w> {
+    /// The outputs at the work of adhesion of an advancing and of a receding edge as one, where it is made of the two.
+    fn of_edges(&self, _: [Output; 2]) -> Option<Output> {
+        None
     }
 
     /// The contact radii to which it leads, as far as a search finds them: the proof of folds covers these.

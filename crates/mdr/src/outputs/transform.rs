@@ -8,7 +8,7 @@ use mdr_core::number::Literal;
 use mdr_core::number::{Interval, certify::Enclosure};
 
 use super::key::Key;
-use super::room::{Facts, Open, Room as IsRoom, Subject, not_wanted};
+use super::room::{Facts, Open, Request, Room as IsRoom, Subject, not_wanted};
 use super::{Output, Want};
 #[cfg(feature = "mp")]
 use crate::answer::record::Numbers;
@@ -48,7 +48,7 @@ pub(super) struct Room<'w> {
     pub(super) at: &'w [Literal],
 }
 
-impl<'w> IsRoom<'w> for Room<'w> {
+impl<'w> Request<'w> for Room<'w> {
     fn rows(&self) -> usize {
         self.at.len()
     }
@@ -56,7 +56,9 @@ impl<'w> IsRoom<'w> for Room<'w> {
     fn missing(&self) -> Option<&'static str> {
         self.at.is_empty().then_some("radii: [output.transform] at = [\"…\"]")
     }
+}
 
+impl<'w> IsRoom<'w> for Room<'w> {
     /// Proved where g has enclosures.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {

@@ -247,7 +247,7 @@ impl Scene {
 
     /// Adds an output, in place of an earlier one of its kind.
     pub fn want(mut self, want: Want) -> Self {
-        if let Some(range) = want.room().range() {
+        if let Some(range) = want.request().range() {
             self.range = Some(range.clone());
         }
         self.values
@@ -372,7 +372,7 @@ impl Scene {
                 );
                 return Err(self.places.of("material.work_of_adhesion").refuse(why));
             }
-            if self.has_two_works() && !want.kind().is_of_profile() && !want.room().has_edges() {
+            if self.has_two_works() && !want.kind().is_of_profile() && !want.request().has_edges() {
                 let (name, works) = (want.name(), "work_of_adhesion = { advancing = \"…\", receding = \"…\" }");
                 let why = "give the one work of adhesion of the edge that is meant, or want `path`, `force-curve`, `folds` or \
                            `equilibria`";

@@ -325,7 +325,7 @@ impl<'s> Solver<'s> {
     fn complaint(&self, want: &Want, error: contact::Error) -> Error {
         let places = &self.scene.places;
         match error {
-            contact::Error::NoEquilibrium { .. } if want.room().needs_start() => {
+            contact::Error::NoEquilibrium { .. } if want.request().needs_start() => {
                 places.read_at("control.start").unwrap_or_else(|| places.of("control")).refuse(self.no_start())
             }
             // All that is left to do in certified digits was done.

@@ -19,8 +19,8 @@ from typing import Any
 
 __all__ = ["RELEASE", "Vector", "load", "table"]
 
-RELEASE = 3
-_FILES = ("critical", "equilibria", "profiles", "edges", "worst", "fits")
+RELEASE = 4
+_FILES = ("critical", "equilibria", "profiles", "edges", "worst", "fits", "graded", "line", "wave")
 
 
 @dataclass(frozen=True)

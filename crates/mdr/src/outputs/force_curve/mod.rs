@@ -10,7 +10,7 @@ use mdr_core::contact::Result;
 use self::samples::Course;
 use super::key::Key;
 use super::path::edges;
-use super::room::{Content, Facts, Open, Room as IsRoom, Subject, Table, not_wanted};
+use super::room::{Content, Facts, Open, Request, Room as IsRoom, Subject, Table, not_wanted};
 use super::{Output, Want};
 #[cfg(feature = "mp")]
 use crate::answer::Number;
@@ -113,7 +113,7 @@ pub(super) struct Room<'w> {
     pub(super) points: &'w u32,
 }
 
-impl<'w> IsRoom<'w> for Room<'w> {
+impl<'w> Request<'w> for Room<'w> {
     fn has_edges(&self) -> bool {
         true
     }
@@ -121,7 +121,9 @@ impl<'w> IsRoom<'w> for Room<'w> {
     fn rows(&self) -> usize {
         *self.points as usize
     }
+}
 
+impl<'w> IsRoom<'w> for Room<'w> {
     #[cfg(feature = "mp")]
     fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
         if certified.scene.has_two_works() {

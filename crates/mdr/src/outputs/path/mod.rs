@@ -17,7 +17,7 @@ use mdr_core::number::Literal;
 use mdr_numeric::folds::SearchQuality;
 use mdr_numeric::path::EventKind;
 
-use super::room::{Content, Facts, Open, Room as IsRoom, Subject, Table, not_wanted};
+use super::room::{Content, Facts, Open, Request, Room as IsRoom, Subject, Table, not_wanted};
 use super::{Output, Want};
 use crate::answer::record::{Numbers, Part, Row, record};
 use crate::answer::{Admission, Cell, Column, Completeness, List, Number, NumberStyle, Optional, Promise, Value};
@@ -238,7 +238,7 @@ pub(super) const FACTS: Facts = Facts { of: Subject::Path, key: None, question: 
 
 pub(super) struct Room;
 
-impl<'w> IsRoom<'w> for Room {
+impl<'w> Request<'w> for Room {
     fn needs_start(&self) -> bool {
         true
     }
@@ -246,7 +246,9 @@ impl<'w> IsRoom<'w> for Room {
     fn has_edges(&self) -> bool {
         true
     }
+}
 
+impl<'w> IsRoom<'w> for Room {
     #[cfg(feature = "mp")]
     fn visited(&self, search: &Search<'_>) -> Vec<f64> {
         let path = followed(search);
