@@ -64,6 +64,30 @@ impl Columns {
         // SAFETY: by the contract of this function.
         unsafe { write(&codes, self.status) };
     }
+
+    /// Fills the columns with a state for each of the values. 0, or -1 with an error.
+    ///
+    /// # Safety
+    /// `contact` is null, or a contact that is not freed meanwhile; `values` points to `count` numbers; each column is null, or has
+    /// room for `count`.
+    unsafe fn answer(
+        self,
+        contact: *const Contact,
+        values: *const f64,
+        count: usize,
+        ask: impl FnOnce(&double::Contact, &[f64]) -> Result<States>,
+    ) -> c_int {
+        guarded(FAILED, || {
+            // SAFETY: by the contract of this function, for as long as it runs.
+            let Contact(contact) = unsafe { behind(contact, "contact") }?;
+            // SAFETY: by the contract of this function, until the columns are written.
+            let values = unsafe { self::values(values, count, "values") }?;
+            let states = ask(contact, values)?;
+            // SAFETY: by the contract of this function.
+            unsafe { self.fill(&states) };
+            Ok(DONE)
+        })
+    }
 }
 
 /// The control by its number in `mdr.h`.
@@ -95,29 +119,26 @@ pub unsafe extern "C" fn mdr_states(
     force: *mut f64,
     status: *mut c_int,
 ) -> c_int {
-    guarded(FAILED, || {
-        // SAFETY: by the contract of this function, for as long as it runs.
-        let Contact(contact) = unsafe { behind(contact, "contact") }?;
-        // SAFETY: by the contract of this function, until the columns are written.
-        let values = unsafe { self::values(values, count, "values") }?;
+    let ask = |contact: &double::Contact, values: &[f64]| {
         let choice = match choice {
             0 => Choice::Largest,
             1 => Choice::Smallest,
             _ => return Err(format!("choice {choice} is none of 0 (largest), 1 (smallest)")),
         };
         let control = control_of(control, stiffness)?;
-        let states = contact.states(&control, values, choice, &Stop::default()).map_err(|error| error.to_string())?;
-        // SAFETY: by the contract of this function.
-        unsafe { Columns { contact_radius, indentation, force, status }.fill(&states) };
-        Ok(DONE)
-    })
+        contact.states(&control, values, choice, &Stop::default()).map_err(|error| error.to_string())
+    };
+    let columns = Columns { contact_radius, indentation, force, status };
+    // SAFETY: by the contract of this function.
+    unsafe { columns.answer(contact, values, count, ask) }
 }
 
 /// The state at each of the values that the controlled quantity takes one after the other, slowly. `start` is 0 for the largest
 /// stable contact radius at the first value, 1 for the smallest, 2 for surfaces that are apart. 0, or -1 with an error.
 ///
 /// # Safety
-/// That of [`mdr_states`].
+/// `contact` is null, or a contact that is not freed meanwhile; `values` points to `count` numbers; each column is null, or has room
+/// for `count`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mdr_follow(
     contact: *const Contact,
@@ -131,11 +152,7 @@ pub unsafe extern "C" fn mdr_follow(
     force: *mut f64,
     status: *mut c_int,
 ) -> c_int {
-    guarded(FAILED, || {
-        // SAFETY: by the contract of this function, for as long as it runs.
-        let Contact(contact) = unsafe { behind(contact, "contact") }?;
-        // SAFETY: by the contract of this function, until the columns are written.
-        let values = unsafe { self::values(values, count, "values") }?;
+    let ask = |contact: &double::Contact, values: &[f64]| {
         let start = match start {
             0 => Start::Largest,
             1 => Start::Smallest,
@@ -144,10 +161,11 @@ pub unsafe extern "C" fn mdr_follow(
         };
         let control = control_of(control, stiffness)?;
         let history = contact.follow(&control, values, &start, &Stop::default()).map_err(|error| error.to_string())?;
-        // SAFETY: by the contract of this function.
-        unsafe { Columns { contact_radius, indentation, force, status }.fill(&history.states) };
-        Ok(DONE)
-    })
+        Ok(history.states)
+    };
+    let columns = Columns { contact_radius, indentation, force, status };
+    // SAFETY: by the contract of this function.
+    unsafe { columns.answer(contact, values, count, ask) }
 }
 
 /// d and F of the equilibrium with each contact radius, stable or not. 0, or -1 with an error.
