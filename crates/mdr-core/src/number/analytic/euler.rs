@@ -198,13 +198,7 @@ impl<T: Analytic> Analytic for Euler<T> {
             let scaled = logarithmic.iter().map(|l| l.scaled(&self.number(exponent))).collect();
             return Some(Self::growing(self.value().raised(exponent)?, scaled));
         }
-        match exponent {
-            0 => Some(self.integer(1)),
-            1 => Some(self.clone()),
-            n if n < 0 => self.integer(1).quotient(&self.raised(n.checked_neg()?)?),
-            n if n % 2 == 0 => Some(self.raised(n / 2)?.squared()),
-            n => Some(self.raised(n - 1)?.product(self)),
-        }
+        self.raised_by_squaring(exponent)
     }
     fn power(&self, exponent: &Interval) -> Option<Self> {
         let value = self.value().power(exponent)?;

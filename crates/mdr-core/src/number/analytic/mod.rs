@@ -43,7 +43,9 @@ pub trait Analytic: Clone {
     /// The quotient.
     fn quotient(&self, divisor: &Self) -> Option<Self>;
     /// An integer power.
-    fn raised(&self, exponent: i64) -> Option<Self>;
+    fn raised(&self, exponent: i64) -> Option<Self> {
+        self.raised_by_squaring(exponent)
+    }
     /// The power x^y = e^(y ln x) with a real constant exponent.
     fn power(&self, exponent: &Interval) -> Option<Self>;
     /// The square root.
@@ -68,6 +70,16 @@ pub trait Analytic: Clone {
     /// An integer.
     fn integer(&self, value: i64) -> Self {
         self.constant(&Interval::from_int(Precision::new(self.bits()), value))
+    }
+    /// An integer power by squares and products, with its parts [raised](Analytic::raised).
+    fn raised_by_squaring(&self, exponent: i64) -> Option<Self> {
+        match exponent {
+            0 => Some(self.integer(1)),
+            1 => Some(self.clone()),
+            n if n < 0 => self.integer(1).quotient(&self.raised(n.checked_neg()?)?),
+            n if n % 2 == 0 => Some(self.raised(n / 2)?.squared()),
+            n => Some(self.raised(n - 1)?.product(self)),
+        }
     }
     /// −x.
     fn negated(&self) -> Self {

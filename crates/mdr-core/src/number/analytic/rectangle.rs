@@ -117,15 +117,6 @@ impl Analytic for Rectangle {
         let product = self.product(&Rectangle { re: divisor.re.clone(), im: -divisor.im.clone() });
         Some(Rectangle { re: product.re.quotient(&square)?, im: product.im.quotient(&square)? })
     }
-    fn raised(&self, exponent: i64) -> Option<Self> {
-        match exponent {
-            0 => Some(self.integer(1)),
-            1 => Some(self.clone()),
-            n if n < 0 => self.integer(1).quotient(&self.raised(n.checked_neg()?)?),
-            n if n % 2 == 0 => Some(self.raised(n / 2)?.squared()),
-            n => Some(self.raised(n - 1)?.product(self)),
-        }
-    }
     fn power(&self, exponent: &Interval) -> Option<Self> {
         Some(self.ln()?.scaled(exponent).exp())
     }
