@@ -1,7 +1,7 @@
 //! The medium of a scene in one arithmetic, and the transform of its profile there.
 
 use mdr_analytic::profiles::Sum;
-use mdr_core::contact::{Body, Error, Quantity, Result, Transform};
+use mdr_core::contact::{Body, Error, ExpressionProfile, Quantity, Result, Transform};
 #[cfg(feature = "mp")]
 use mdr_core::number::Interval;
 use mdr_core::number::Literal;
@@ -178,18 +178,9 @@ fn periodic<R: SceneReal>(
     }
 }
 
-/// A formula with its numbers in one arithmetic.
-fn bound<R: SceneReal>(formula: &Formula, ctx: R::Ctx) -> Result<mdr_core::contact::ExpressionProfile<R>> {
-    let values =
-        formula.parameters.iter().map(|(name, literal)| (name.clone(), R::from_literal(ctx, literal))).collect();
-    let bound = formula.expression.bind_numbers::<R>(ctx, &values).map_err(|error| Error::Domain {
-        quantity: Quantity::Parameter("the formula"),
-        value: error.to_string(),
-        requirement: "one whose names all have values",
-    })?;
-    #[cfg(feature = "mp")]
-    let bound = bound.broken_at(ctx, &formula.breaks);
-    Ok(bound)
+/// A formula with the numbers of the scene in one arithmetic.
+fn bound<R: SceneReal>(formula: &Formula, ctx: R::Ctx) -> Result<ExpressionProfile<R>> {
+    formula.bound(ctx, &mut |literal| R::from_literal(ctx, literal))
 }
 
 /// What decides the transform.

@@ -6,11 +6,12 @@ use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{
-    self, Control, CountingTransform, Edge, Error, ExpressionError, Quantity, Result, Status, Transform,
+    self, Control, CountingTransform, Edge, Error, ExpressionError, ExpressionProfile, Quantity, Result, Status,
+    Transform,
 };
-use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Dual, Interval, Precision};
+use mdr_core::number::{Literal, Special};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::medium::{Adhesion, Medium};
 use mdr_numeric::path;
@@ -247,23 +248,6 @@ fn over_modulus(scene: &Scene, quantity: Quantity, input: &Literal) -> Result<f6
     })
 }
 
-/// The transformed profile: a closed form where there is one, quadrature for a formula, exact pieces for a table. `number` gets
-/// its numbers in the order of [`Profile::numbers`].
-///
-/// Over intervals only a closed form and a table have a meaning. A quadrature takes a relative error that is `accepted` where
-/// it cannot have the digits of the arithmetic.
-///
-/// # Errors
-/// A parameter out of the domain of the profile.
-pub(super) fn transform<R: Struve + Kappa>(
-    profile: &Profile,
-    ctx: R::Ctx,
-    number: &mut dyn FnMut(&Literal) -> R,
-    accepted: Option<&R>,
-) -> Result<Box<dyn Transform<R>>> {
-    by_formulas(profile, ctx, number, accepted, &|_| None)
-}
-
 /// A name of a formula without a value.
 fn unnamed(error: ExpressionError) -> Error {
     Error::Domain {
@@ -276,7 +260,14 @@ fn unnamed(error: ExpressionError) -> Error {
 /// The transforms of formulas that an arithmetic has in place of quadratures.
 type Formulas<'a, R> = &'a dyn Fn(&Formula) -> Option<Result<Box<dyn Transform<R>>>>;
 
-/// The transformed profile like [`transform`], its formulas in the way of the arithmetic, where it has one.
+/// The transformed profile: a closed form where there is one, `formulas` of a formula where the arithmetic has it, else its
+/// quadrature, and exact pieces of a table. `number` gets its numbers in the order of [`Profile::numbers`].
+///
+/// Over intervals a quadrature has no meaning. It takes a relative error that is `accepted` where it cannot have the digits of the
+/// arithmetic.
+///
+/// # Errors
+/// A parameter out of the domain of the profile; a wave, which needs a periodic medium.
 pub(super) fn by_formulas<R: Struve + Kappa>(
     profile: &Profile,
     ctx: R::Ctx,
@@ -294,11 +285,7 @@ pub(super) fn by_formulas<R: Struve + Kappa>(
             if let Some(transform) = formulas(formula) {
                 return transform;
             }
-            let values = formula.parameters.iter().map(|(name, literal)| (name.clone(), number(literal))).collect();
-            let profile = formula.expression.bind_numbers::<R>(ctx, &values).map_err(unnamed)?;
-            #[cfg(feature = "mp")]
-            let profile = profile.broken_at(ctx, &formula.breaks);
-            let quadrature = Quadrature::new(profile);
+            let quadrature = Quadrature::new(formula.bound(ctx, number)?);
             Box::new(match accepted {
                 Some(error) => quadrature.accepting(error.clone())?,
                 None => quadrature,
@@ -315,6 +302,24 @@ pub(super) fn by_formulas<R: Struve + Kappa>(
     })
 }
 
+impl Formula {
+    /// f with its numbers, which `number` takes to one arithmetic.
+    ///
+    /// # Errors
+    /// A name without a value.
+    pub(super) fn bound<R: Special>(
+        &self,
+        ctx: R::Ctx,
+        number: &mut dyn FnMut(&Literal) -> R,
+    ) -> Result<ExpressionProfile<R>> {
+        let values = self.parameters.iter().map(|(name, literal)| (name.clone(), number(literal))).collect();
+        let bound = self.expression.bind_numbers::<R>(ctx, &values).map_err(unnamed)?;
+        #[cfg(feature = "mp")]
+        let bound = bound.broken_at(ctx, &self.breaks);
+        Ok(bound)
+    }
+}
+
 impl Profile {
     /// The transformed profile g in one arithmetic: a closed form where there is one, quadrature for a formula, exact pieces for a
     /// table. `number` turns its numbers into that arithmetic, in the order of [`Profile::numbers`].
@@ -326,7 +331,7 @@ impl Profile {
         ctx: R::Ctx,
         number: &mut dyn FnMut(&Literal) -> R,
     ) -> Result<Box<dyn Transform<R>>> {
-        transform(self, ctx, number, None)
+        by_formulas(self, ctx, number, None, &|_| None)
     }
 }
 
@@ -335,5 +340,5 @@ impl Profile {
 /// # Errors
 /// A parameter of the profile that is out of its domain.
 pub(crate) fn transform_in_doubles(profile: &Profile) -> Result<Box<dyn Transform<f64>>> {
-    transform(profile, (), &mut Literal::nearest_f64, None)
+    profile.transform((), &mut Literal::nearest_f64)
 }
