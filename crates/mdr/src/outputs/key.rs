@@ -100,7 +100,7 @@ impl Keys {
         Ok(keys)
     }
 
-    /// The radii of an output; none where the program chooses them.
+    /// The radii of an output; an empty list lets the program choose them.
     pub(crate) fn radii(&self, kind: OutputKind) -> Vec<Literal> {
         self.lists.iter().find(|(known, _)| *known == kind).map_or(Vec::new(), |(_, radii)| radii.clone())
     }

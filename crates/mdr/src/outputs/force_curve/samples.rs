@@ -19,7 +19,7 @@ const LEAST: usize = 2;
 #[derive(Clone, Copy)]
 pub(super) enum Course<'a, 'm> {
     One(&'a States<'m, f64>),
-    /// Those of an advancing and of a receding edge.
+    /// With two works of adhesion: the branches of an advancing and of a receding edge.
     Between([&'a States<'m, f64>; 2]),
 }
 
