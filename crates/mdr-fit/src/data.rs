@@ -7,7 +7,7 @@ use mdr_core::units::{SiUnit, bare, scaled};
 use mdr_numeric::table::{self, Line};
 
 use super::observation::Leg;
-use super::problem::DataRow;
+use super::problem::{DataRow, Moment};
 use mdr::Result;
 use mdr::reading::Location;
 
@@ -25,13 +25,22 @@ pub(super) fn rows(x: &[f64], y: &[f64], legs: Option<&[Leg]>) -> Result<Vec<Dat
     }
     let found = legs_by_order(x);
     let legs = legs.unwrap_or(&found);
-    let row = |((x, y), leg): ((&f64, &f64), &Leg)| DataRow { x: *x, y: *y, leg: *leg, sigma: [None; 2] };
+    let row = |((x, y), leg): ((&f64, &f64), &Leg)| DataRow {
+        x: *x,
+        y: *y,
+        leg: *leg,
+        sigma: [None; 2],
+        at: Moment::default(),
+    };
     Ok(x.iter().zip(y).zip(legs).map(row).collect())
 }
 
-/// A record turns where X has its extremum: it falls before and after a smallest X inside it, and rises before and falls after
+/// A record that turns more than once has cycles. Another turns where X has its extremum: it falls before and after a smallest X inside it, and rises before and falls after
 /// a largest one.
 pub(super) fn legs_by_order(x: &[f64]) -> Vec<Leg> {
+    if let Some(legs) = super::select::cycles(x) {
+        return legs;
+    }
     let place = |better: fn(f64, f64) -> bool| {
         (0..x.len()).fold(0, |best: usize, index| if better(x[index], x[best]) { index } else { best })
     };
@@ -76,13 +85,21 @@ pub(super) struct Columns {
     pub(super) y: Option<String>,
     pub(super) leg: Option<String>,
     pub(super) sigma: [Option<String>; 2],
+    /// In s.
+    pub(super) time: Option<String>,
+    /// Whether rows without a number are left out.
+    pub(super) skips_missing: bool,
     /// Units that are stated beside the file.
     pub(super) units: Option<[String; 2]>,
 }
 
 /// Reads the rows of a CSV file: a header, a row of units, numbers. Lines that begin with # are comments; the separator is a
-/// comma, a semicolon or a tab.
-pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::result::Result<Vec<DataRow>, String> {
+/// comma, a semicolon or a tab. Also which rows were left out since they have no number.
+pub(super) fn read(
+    text: &str,
+    columns: &Columns,
+    bases: [&str; 2],
+) -> std::result::Result<(Vec<DataRow>, Vec<usize>), String> {
     let records = records(text)?;
     let mut lines = records.iter().peekable();
     let header = lines.next_if(|line| is_words(&line.fields) && !is_units(&line.fields)).map(|line| &line.fields);
@@ -92,6 +109,10 @@ pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::resu
         Some(name) => column(header, name),
     };
     let places = [place(&columns.x, 0)?, place(&columns.y, 1)?];
+    // A column that is taken by its place has its name to itself, too.
+    for name in places.iter().filter_map(|place| header?.get(*place)).filter(|name| !name.is_empty()) {
+        column(header, name)?;
+    }
     let optional = |name: &Option<String>| name.as_ref().map(|name| column(header, name)).transpose();
     let (leg, sigma) = (optional(&columns.leg)?, [optional(&columns.sigma[0])?, optional(&columns.sigma[1])?]);
     let unit = |axis: usize, place: usize| -> std::result::Result<String, String> {
@@ -115,8 +136,10 @@ pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::resu
     let named = [unit(0, places[0])?, unit(1, places[1])?];
     let of_sigma =
         [0, 1].map(|axis| sigma[axis].and_then(|place| unit(axis, place).ok()).unwrap_or(named[axis].clone()));
+    let time = optional(&columns.time)?;
+    let second = time.map(|place| second(units.and_then(|units| units.get(place)).unwrap_or(""))).transpose()?;
     let mut rows = Vec::with_capacity(records.len());
-    let mut legs = Vec::new();
+    let (mut legs, mut missing) = (Vec::new(), Vec::new());
     for Line { number: line, fields: record } in lines {
         let number = |place: usize, unit: &str, axis: usize| {
             let text = record.get(place).ok_or_else(|| format!("line {line}: there is no column {}", place + 1))?;
@@ -125,6 +148,11 @@ pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::resu
                 format!("line {line}: `{}` in the column `{}` is not a number", excerpt(text), excerpt(name))
             })
         };
+        let is_missing = |place: usize| record.get(place).is_none_or(is_no_number);
+        if columns.skips_missing && places.iter().any(|place| is_missing(*place)) {
+            missing.push(rows.len() + missing.len());
+            continue;
+        }
         let own = |axis: usize| sigma[axis].map(|place| number(place, &of_sigma[axis], axis)).transpose();
         legs.push(
             leg.map(|place| {
@@ -135,7 +163,13 @@ pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::resu
             .transpose()?,
         );
         let (x, y) = (number(places[0], &named[0], 0)?, number(places[1], &named[1], 1)?);
-        rows.push(DataRow { x, y, leg: Leg::Retract, sigma: [own(0)?, own(1)?] });
+        let text = time.and_then(|place| record.get(place)).unwrap_or("0");
+        let seconds = text.trim().parse::<f64>().ok().map(|time| time * second.unwrap_or(1.0));
+        let Some(seconds) = seconds.filter(|time| time.is_finite()) else {
+            return Err(format!("line {line}: `{}` in the column of times is not a number", excerpt(text)));
+        };
+        let at = Moment { time: seconds, ..Moment::default() };
+        rows.push(DataRow { x, y, leg: Leg::Retract, sigma: [own(0)?, own(1)?], at });
     }
     let by_order = legs_by_order(&rows.iter().map(|row| row.x).collect::<Vec<_>>());
     for ((row, given), found) in rows.iter_mut().zip(legs).zip(by_order) {
@@ -144,7 +178,23 @@ pub(super) fn read(text: &str, columns: &Columns, bases: [&str; 2]) -> std::resu
             return Err(format!("a standard deviation must be positive, got {sigma}"));
         }
     }
-    Ok(rows)
+    Ok((rows, missing))
+}
+
+/// Whether a field says that nothing was measured.
+pub(super) fn is_no_number(field: &str) -> bool {
+    let field = field.trim().trim_start_matches(['+', '-']).to_ascii_lowercase();
+    ["", "nan", "na", "n/a", "null", "none", "inf", "infinity"].contains(&field.as_str())
+}
+
+/// A unit of time in s.
+fn second(unit: &str) -> std::result::Result<f64, String> {
+    let units =
+        [("", 1.0), ("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("µs", 1e-6), ("μs", 1e-6), ("ns", 1e-9), ("min", 60.0)];
+    let found = units.iter().find(|(name, _)| *name == unit.trim());
+    found
+        .map(|(_, second)| *second)
+        .ok_or_else(|| format!("`{}` is no unit of time: s, ms, us, ns or min", excerpt(unit)))
 }
 
 /// A leg by its name.
@@ -195,7 +245,13 @@ fn column(header: Option<&StringRecord>, name: &str) -> std::result::Result<usiz
     let Some(header) = header else {
         return Err(format!("there is no header that names the column `{}`", excerpt(name)));
     };
-    header.iter().position(|field| field == name).ok_or_else(|| {
+    let mut named = (0..header.len()).filter(|place| &header[*place] == name);
+    let found = named.next();
+    if let (Some(one), Some(other)) = (found, named.next()) {
+        let (name, one, other) = (excerpt(name), one + 1, other + 1);
+        return Err(format!("two columns, {one} and {other}, are named `{name}`: rename one of them"));
+    }
+    found.ok_or_else(|| {
         let known: Vec<&str> = header.iter().collect();
         mdr::reading::unknown_name_of_input("column", name, &known)
     })

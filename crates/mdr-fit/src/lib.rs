@@ -40,33 +40,41 @@
 
 mod answer;
 mod arcs;
+mod budget;
 #[cfg(feature = "mp")]
 mod certified;
 mod contact;
 mod data;
 mod descents;
 mod drive;
+mod edges;
 mod errors;
 mod events;
 mod foot;
 mod hypotheses;
+mod hysteresis;
 mod judge;
 mod labels;
+mod limits;
 mod minimise;
 mod objective;
 mod observation;
 mod problem;
 mod profile;
+mod quantities;
 mod read;
+mod select;
+mod sheet;
 mod smoothing;
 mod start;
+mod trends;
 mod validity;
 mod warnings;
 mod words;
 
 pub use answer::{
-    Attempt, CertifiedEstimate, CertifiedFit, Fit, FitEstimate, FitEvent, FitStatus, FittedRow, Invariant,
-    LikelihoodInterval, RunsTest, SmoothedFit,
+    Attempt, BudgetEntry, CertifiedEstimate, CertifiedFit, Fit, FitEstimate, FitEvent, FitLimit, FitQuantity,
+    FitStatus, FittedLeg, FittedRow, Invariant, LikelihoodInterval, RunsTest, SkippedRows, SmoothedFit,
 };
 pub use observation::{Leg, Loss, Observation};
 pub use problem::Problem;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc as Shared;
 
-use mdr_core::contact::Result;
+use mdr_core::contact::{Edge, Result};
 use nalgebra::{DMatrix, DVector};
 
 use super::arcs::{self, Arc, Turn};
@@ -11,6 +11,7 @@ use super::foot::{self, Foot, Scales};
 use super::labels::cheapest;
 use super::observation::{Leg, Loss, Observation};
 use super::problem::{DataRow, Kind, Parameter, Problem};
+use super::sheet::{self, Sheet};
 
 /// The distance up to which Huber's loss is a square: 95 % efficient for normal noise.
 const HUBER: f64 = 1.345;
@@ -75,9 +76,12 @@ const HELD: f64 = 1e3;
 pub(super) struct Evaluation {
     pub(super) tip: Shared<Tip<f64>>,
     pub(super) numbers: Numbers<f64>,
-    pub(super) turns: Vec<Turn>,
-    /// The innermost first.
-    pub(super) arcs: Vec<Arc>,
+    /// The folds of the curve, or of an edge that advances and one that recedes.
+    pub(super) turns: Vec<Vec<Turn>>,
+    /// The curve, or of two works of adhesion that of an edge that advances, and for each leg that retracts its own.
+    pub(super) sheets: Vec<Sheet>,
+    /// Which sheet each leg of the record has.
+    pub(super) of_part: Vec<usize>,
     /// The level of each row: 0 detached, else one more than the index of its arc.
     pub(super) labels: Vec<usize>,
     /// The feet of rows in contact.
@@ -87,8 +91,39 @@ pub(super) struct Evaluation {
 }
 
 impl Evaluation {
-    pub(super) fn contact(&self, observation: Observation) -> Contact<'_, f64> {
-        Contact::new(&*self.tip, self.numbers.clone(), observation)
+    /// Which sheet a row has.
+    pub(super) fn sheet_of(&self, row: &DataRow) -> usize {
+        self.of_part.get(row.at.part).copied().unwrap_or(0)
+    }
+
+    /// The sheet on which the contact breaks.
+    pub(super) fn breaking(&self) -> usize {
+        self.sheets.len() - 1
+    }
+
+    /// The contact of a sheet.
+    pub(super) fn contact(&self, observation: Observation, sheet: usize) -> Contact<'_, f64> {
+        self.sheets[sheet].contact(&self.tip, observation)
+    }
+
+    /// The contacts of all sheets, with the motion of pinned edges by these numbers.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn contacts(&self, observation: Observation, kinds: &[Kind]) -> Result<Vec<Contact<'_, f64>>> {
+        let with_speeds = |index: usize| {
+            let mut contact = self.contact(observation, index);
+            if let Some(pin) = &self.sheets[index].pin {
+                contact.pinned = Some(sheet::speeds(&self.contact(observation, 0), pin, kinds)?);
+            }
+            Ok(contact)
+        };
+        (0..self.sheets.len()).map(with_speeds).collect()
+    }
+
+    /// The arc of a row in contact.
+    pub(super) fn arc(&self, row: &DataRow, level: usize) -> Option<&Arc> {
+        self.sheets[self.sheet_of(row)].arc(level)
     }
 
     /// The sum of squares, in the unit of the noise.
@@ -209,43 +244,110 @@ impl<'p> Objective<'p> {
             Some(tip) => Shared::clone(tip),
             None => Shared::new(Tip::new(&self.problem.profile, (), &numbers.profile, &self.free_of_profile())?),
         };
-        let contact = Contact::new(&*tip, numbers.clone(), self.problem.observation);
-        let turns = match before.and_then(|before| arcs::followed(&contact, &before.turns)) {
-            Some(turns) => turns,
-            None => arcs::turns(&contact)?,
+        let mut evaluation = Evaluation {
+            tip,
+            numbers,
+            turns: Vec::new(),
+            sheets: Vec::new(),
+            of_part: Vec::new(),
+            labels: Vec::with_capacity(self.rows.len()),
+            feet: Vec::with_capacity(self.rows.len()),
+            residuals: DVector::zeros(0),
         };
-        let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.noise.beyond);
-        let range = self
-            .rows
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.x), high.max(row.x)]);
-        let arcs = arcs::arcs(&contact, &turns, [range[0], range[1] + margin])?;
-        let (labels, feet) = self.label(&contact, &arcs)?;
+        self.label(&mut evaluation, before)?;
+        let numbers = &evaluation.numbers;
         let mut residuals: Vec<f64> = self
             .rows
             .iter()
-            .zip(&feet)
-            .map(|(row, foot)| self.loss(foot.map_or_else(|| self.detached(&numbers, row), |foot| foot.residual))[0])
+            .zip(&evaluation.feet)
+            .map(|(row, foot)| self.loss(foot.map_or_else(|| self.detached(numbers, row), |foot| foot.residual))[0])
             .collect();
         residuals.extend(self.prior_residuals(fitted));
-        let mut evaluation =
-            Evaluation { tip: Shared::clone(&tip), numbers, turns, arcs, labels, feet, residuals: DVector::zeros(0) };
         if let Some([place, sd]) = self.problem.pull_off {
-            let end = evaluation.last_fold().map(|s| contact.point(&s)).transpose()?;
+            let contact = evaluation.contact(self.problem.observation, evaluation.breaking());
+            let end = evaluation.sheets[evaluation.breaking()].last_fold().map(|s| contact.point(&s)).transpose()?;
             residuals.push(end.map_or(0.0, |end| (end.at[0] - place) / self.noise.unit_of(sd)));
         }
         for held in &self.at_fold {
-            let fold = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold);
-            residuals.push(
-                fold.map_or(0.0, |fold| (fold.at[0] + held.beyond - self.rows[held.row].x) / self.noise.beyond * HELD),
-            );
+            let row = &self.rows[held.row];
+            let fold = evaluation.arc(row, held.level).and_then(Arc::inner_fold);
+            let away = |fold: &arcs::Sample| fold.at[0] + held.beyond - numbers.untrended(row)[0];
+            residuals.push(fold.map_or(0.0, |fold| away(fold) / self.noise.beyond * HELD));
         }
         evaluation.residuals = DVector::from_vec(residuals);
         Ok(evaluation)
     }
 
     fn detached(&self, numbers: &Numbers<f64>, row: &DataRow) -> f64 {
-        (numbers.baseline - row.y) / self.y_scale(row)
+        (numbers.baseline - numbers.untrended(row)[1]) / self.y_scale(row)
+    }
+
+    /// The sheet of each leg, with labels and feet of its rows.
+    fn label(&self, evaluation: &mut Evaluation, before: Option<&Evaluation>) -> Result<()> {
+        let observation = self.problem.observation;
+        let numbers = evaluation.numbers.clone();
+        let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.noise.beyond);
+        let [low, high] = self.rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| {
+            let [x, _] = numbers.untrended(row);
+            [low.min(x), high.max(x)]
+        });
+        let range = [low, high + margin];
+        let directions: &[Option<Edge>] = match numbers.works {
+            Some(_) => &[Some(Edge::Advancing), Some(Edge::Receding)],
+            None => &[None],
+        };
+        for (index, direction) in directions.iter().enumerate() {
+            let sheet =
+                Sheet { numbers: numbers.of_edge(*direction), direction: *direction, pin: None, arcs: Vec::new() };
+            let contact = sheet.contact(&evaluation.tip, observation);
+            let turns = sheet::turns(&contact, before.and_then(|before| before.turns.get(index)).map(Vec::as_slice))?;
+            if index == 0 {
+                let arcs = arcs::arcs(&contact, &turns, range)?;
+                evaluation.sheets.push(Sheet { arcs, ..sheet });
+            }
+            evaluation.turns.push(turns);
+        }
+        let parts = self.rows.last().map_or(0, |row| row.at.part + 1);
+        evaluation.of_part = vec![0; parts];
+        let mut first = 0;
+        for leg in self.rows.chunk_by(|one, other| one.at.part == other.at.part) {
+            let index = match (numbers.works, leg[0].leg) {
+                (Some(_), Leg::Retract) => {
+                    let sheet = self.receding(evaluation, &leg[0], range)?;
+                    evaluation.sheets.push(sheet);
+                    evaluation.sheets.len() - 1
+                }
+                _ => 0,
+            };
+            evaluation.of_part[leg[0].at.part] = index;
+            let contact = evaluation.contact(observation, index);
+            let (labels, feet) = self.label_leg(&contact, &evaluation.sheets[index].arcs, leg, first)?;
+            evaluation.labels.extend(labels);
+            evaluation.feet.extend(feet);
+            first += leg.len();
+        }
+        Ok(())
+    }
+
+    /// The sheet of a leg that retracts, of an edge that is pinned before it recedes.
+    fn receding(&self, evaluation: &Evaluation, first: &DataRow, range: [f64; 2]) -> Result<Sheet> {
+        let numbers = &evaluation.numbers;
+        let advancing = evaluation.contact(self.problem.observation, 0);
+        let [x, time] = first.at.turn;
+        // Where the approach ended: on its arc, if it is in the data.
+        let before = evaluation.labels.len().checked_sub(1).filter(|before| self.rows[*before].leg == Leg::Approach);
+        let level = before.map(|before| evaluation.labels[before]);
+        let turn = [x - numbers.trends[2] * time, time];
+        let mut sheet = Sheet {
+            numbers: numbers.of_edge(Some(Edge::Receding)),
+            direction: Some(Edge::Receding),
+            pin: sheet::pinned(&advancing, &evaluation.sheets[0].arcs, level, turn)?,
+            arcs: Vec::new(),
+        };
+        let contact = sheet.contact(&evaluation.tip, self.problem.observation);
+        let turns = arcs::up_to_edge(&contact, evaluation.turns.get(1).map_or(&[], Vec::as_slice))?;
+        sheet.arcs = arcs::arcs(&contact, &turns, range)?;
+        Ok(sheet)
     }
 
     /// Whether a row can be detached: where the contact radius is given, one of radius zero must be.
@@ -257,44 +359,44 @@ impl<'p> Objective<'p> {
         }
     }
 
-    /// Labels and feet of all rows.
-    fn label(&self, contact: &Contact<'_, f64>, arcs: &[Arc]) -> Result<(Vec<usize>, Vec<Option<Foot>>)> {
-        let mut labels = Vec::with_capacity(self.rows.len());
-        let mut feet = Vec::with_capacity(self.rows.len());
-        let mut index_of_row = 0;
-        for leg in self.rows.chunk_by(|one, other| one.leg == other.leg) {
-            // Level 0 is detached, each other that of an arc.
-            let levels = arcs.len() + 1;
-            let mut costs = vec![f64::INFINITY; levels * leg.len()];
-            let mut found = vec![None; levels * leg.len()];
-            let of_rows = costs.chunks_mut(levels).zip(found.chunks_mut(levels));
-            for (row, (costs, feet)) in leg.iter().zip(of_rows) {
-                let scales = self.scales(row);
-                let held = self.at_fold.iter().find(|held| held.row == index_of_row && held.beyond == 0.0);
-                index_of_row += 1;
-                if let Some(fold) = held.and_then(|held| arcs.get(held.level - 1)).and_then(Arc::inner_fold) {
-                    let level = held.map_or(0, |held| held.level);
-                    let foot = foot::at_fold(fold, [row.x, row.y], scales.y);
-                    costs[level] = self.loss(foot.residual)[0].powi(2);
-                    feet[level] = Some(foot);
-                    continue;
-                }
-                if self.can_be(row, true) || arcs.is_empty() {
-                    costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
-                }
-                if self.can_be(row, false) {
-                    for (index, arc) in arcs.iter().enumerate() {
-                        let foot = arc.foot(contact, [row.x, row.y], &scales)?;
-                        costs[index + 1] = self.loss(foot.residual)[0].powi(2);
-                        feet[index + 1] = Some(foot);
-                    }
+    /// Labels and feet of the rows of a leg, of which the first is `first`.
+    fn label_leg(
+        &self,
+        contact: &Contact<'_, f64>,
+        arcs: &[Arc],
+        leg: &[DataRow],
+        first: usize,
+    ) -> Result<(Vec<usize>, Vec<Option<Foot>>)> {
+        // Level 0 is detached, each other that of an arc.
+        let levels = arcs.len() + 1;
+        let mut costs = vec![f64::INFINITY; levels * leg.len()];
+        let mut found = vec![None; levels * leg.len()];
+        let of_rows = costs.chunks_mut(levels).zip(found.chunks_mut(levels));
+        for ((index, row), (costs, feet)) in leg.iter().enumerate().zip(of_rows) {
+            let scales = self.scales(row);
+            let place = contact.numbers.untrended(row);
+            let held = self.at_fold.iter().find(|held| held.row == first + index && held.beyond == 0.0);
+            if let Some(fold) = held.and_then(|held| arcs.get(held.level - 1)).and_then(Arc::inner_fold) {
+                let level = held.map_or(0, |held| held.level);
+                let foot = foot::at_fold(fold, place, scales.y);
+                costs[level] = self.loss(foot.residual)[0].powi(2);
+                feet[level] = Some(foot);
+                continue;
+            }
+            if self.can_be(row, true) || arcs.is_empty() {
+                costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
+            }
+            if self.can_be(row, false) {
+                for (index, arc) in arcs.iter().enumerate() {
+                    let foot = arc.foot(contact, place, &scales)?;
+                    costs[index + 1] = self.loss(foot.residual)[0].powi(2);
+                    feet[index + 1] = Some(foot);
                 }
             }
-            let cheapest = cheapest(&costs, levels, leg.first().map_or(Leg::Retract, |row| row.leg));
-            feet.extend(cheapest.iter().zip(found.chunks(levels)).map(|(level, feet)| feet[*level]));
-            labels.extend(cheapest);
         }
-        Ok((labels, feet))
+        let cheapest = cheapest(&costs, levels, leg.first().map_or(Leg::Retract, |row| row.leg));
+        let feet = cheapest.iter().zip(found.chunks(levels)).map(|(level, feet)| feet[*level]).collect();
+        Ok((cheapest, feet))
     }
 
     /// A residual as it counts, and its derivative with respect to the distance.
@@ -323,23 +425,27 @@ impl<'p> Objective<'p> {
     /// # Errors
     /// Errors of the transform.
     pub(super) fn jacobian(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
-        let contact = evaluation.contact(self.problem.observation);
         let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), self.free.len());
         let moving = self.moving(fitted);
+        let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
+        let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
         for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
             let Some(foot) = foot else {
                 let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
-                for (place, _) in moving.iter().filter(|(_, kind)| *kind == Kind::Baseline) {
-                    jacobian[(index, *place)] = slope;
+                for (place, kind) in &moving {
+                    let own = f64::from(u8::from(*kind == Kind::Baseline));
+                    jacobian[(index, *place)] = slope * (own + evaluation.numbers.trend_partial(*kind, row)[1]);
                 }
                 continue;
             };
+            let contact = &contacts[evaluation.sheet_of(row)];
             let point = contact.point(&foot.s)?;
             let slope = self.loss(foot.residual)[1];
-            let arc = &evaluation.arcs[evaluation.labels[index] - 1];
+            let Some(arc) = evaluation.arc(row, evaluation.labels[index]) else { continue };
             for (place, kind) in &moving {
-                let [x, y] = arc.partial(&contact, *kind, foot, &point)?;
-                jacobian[(index, *place)] = slope * (foot.weights[0] * x + foot.weights[1] * y);
+                let [x, y] = arc.partial(contact, *kind, foot, &point)?;
+                let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, row);
+                jacobian[(index, *place)] = slope * (foot.weights[0] * (x + more_x) + foot.weights[1] * (y + more_y));
             }
         }
         let mut index = self.rows.len();
@@ -349,23 +455,28 @@ impl<'p> Objective<'p> {
             index += 1;
         }
         // How the place of a fold moves with each number.
-        let mut fold = |index: usize, s: f64, unit: f64| -> Result<()> {
+        let mut fold = |index: usize, sheet: usize, s: f64, unit: f64, row: Option<&DataRow>| -> Result<()> {
+            let contact = &contacts[sheet];
             let point = contact.point(&s)?;
             for (place, kind) in &moving {
-                let speed = arcs::end_speed(&contact, *kind, &point)?;
-                jacobian[(index, *place)] = (contact.partial(*kind, &point)?[0] + point.tangent[0] * speed) / unit;
+                let speed = arcs::end_speed(contact, *kind, &point)?;
+                let trend = row.map_or(0.0, |row| evaluation.numbers.trend_partial(*kind, row)[0]);
+                jacobian[(index, *place)] =
+                    (contact.partial(*kind, &point)?[0] + point.tangent[0] * speed + trend) / unit;
             }
             Ok(())
         };
         if let Some([_, sd]) = self.problem.pull_off {
-            if let Some(s) = evaluation.last_fold() {
-                fold(index, s, self.noise.unit_of(sd))?;
+            let sheet = evaluation.breaking();
+            if let Some(s) = evaluation.sheets[sheet].last_fold() {
+                fold(index, sheet, s, self.noise.unit_of(sd), None)?;
             }
             index += 1;
         }
         for held in &self.at_fold {
-            if let Some(end) = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold) {
-                fold(index, end.s, self.noise.beyond / HELD)?;
+            let row = &self.rows[held.row];
+            if let Some(end) = evaluation.arc(row, held.level).and_then(Arc::inner_fold) {
+                fold(index, evaluation.sheet_of(row), end.s, self.noise.beyond / HELD, Some(row))?;
             }
             index += 1;
         }
@@ -378,17 +489,22 @@ impl<'p> Objective<'p> {
     /// # Errors
     /// Errors of the transform.
     pub(super) fn information(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
-        let contact = evaluation.contact(self.problem.observation);
+        let moving = self.moving(fitted);
+        let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
+        let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
         let across = |(index, foot): (usize, &Foot)| {
+            let data = &self.rows[index];
+            let contact = &contacts[evaluation.sheet_of(data)];
             let point = contact.point(&foot.s)?;
-            let scales = self.scales(&self.rows[index]);
+            let scales = self.scales(data);
             let scales = [scales.x.unwrap_or(scales.beyond), scales.y];
             let [along_x, along_y] = [foot.weights[0] * scales[0], foot.weights[1] * scales[1]];
-            let arc = &evaluation.arcs[evaluation.labels[index] - 1];
             let mut row = vec![0.0; self.free.len()];
-            for (place, kind) in self.moving(fitted) {
-                let [x, y] = arc.partial(&contact, kind, foot, &point)?;
-                row[place] = along_x * y / scales[1] - along_y * x / scales[0];
+            let Some(arc) = evaluation.arc(data, evaluation.labels[index]) else { return Ok(row) };
+            for (place, kind) in &moving {
+                let [x, y] = arc.partial(contact, *kind, foot, &point)?;
+                let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, data);
+                row[*place] = along_x * (y + more_y) / scales[1] - along_y * (x + more_x) / scales[0];
             }
             Ok(row)
         };
@@ -399,7 +515,7 @@ impl<'p> Objective<'p> {
         let mut jacobian = self.jacobian(fitted, evaluation)?;
         let known = jacobian.nrows();
         for (index, held) in self.at_fold.iter().enumerate() {
-            let width = self.width_of_fold(&contact, evaluation, held)?;
+            let width = self.width_of_fold(evaluation, held)?;
             jacobian
                 .row_mut(known - self.at_fold.len() + index)
                 .scale_mut(self.noise.unit * self.noise.beyond / HELD / width);
@@ -413,15 +529,12 @@ impl<'p> Objective<'p> {
 
     /// How far beyond the last row in contact a fold may be: where the curve has risen by the noise. Near a fold at X₀ it rises as
     /// Y' √(2 (X − X₀)/X''), with derivatives along the curve.
-    pub(super) fn width_of_fold(
-        &self,
-        contact: &Contact<'_, f64>,
-        evaluation: &Evaluation,
-        held: &AtFold,
-    ) -> Result<f64> {
-        let Some(fold) = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold) else {
+    pub(super) fn width_of_fold(&self, evaluation: &Evaluation, held: &AtFold) -> Result<f64> {
+        let row = &self.rows[held.row];
+        let Some(fold) = evaluation.arc(row, held.level).and_then(Arc::inner_fold) else {
             return Ok(self.noise.beyond);
         };
+        let contact = evaluation.contact(self.problem.observation, evaluation.sheet_of(row));
         let point = contact.point(&fold.s)?;
         let sigma = self.y_scale(&self.rows[held.row]) * self.noise.unit;
         let curvature = contact.curvature(&point)?[0];
@@ -435,14 +548,6 @@ impl<'p> Objective<'p> {
             !self.at_bound(*place, fitted) || self.to_fitted(*place, self.value(*place, fitted)) == fitted
         };
         (0..self.free.len()).filter(follows).map(|place| (place, self.kind(place))).collect()
-    }
-}
-
-impl Evaluation {
-    /// The parameter of the fold where the contact breaks: of the inner ends of arcs, that with the smallest X.
-    pub(super) fn last_fold(&self) -> Option<f64> {
-        let ends = self.arcs.iter().filter_map(Arc::inner_fold);
-        ends.min_by(|one, other| one.at[0].total_cmp(&other.at[0])).map(|end| end.s)
     }
 }
 

@@ -1,10 +1,12 @@
 //! A problem of fitting: a profile, an observation, rows, and unknowns.
 
+use mdr_core::contact::Edge;
 use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
 
 use super::answer::Fit;
 use super::observation::{Leg, Loss, Observation};
+use super::select::Selection;
 use mdr::reading::Location;
 use mdr::scene::{IntoProfile, Profile};
 use mdr::{Error, Result};
@@ -14,9 +16,18 @@ use mdr::{Error, Result};
 pub(super) enum Kind {
     EffectiveModulus,
     WorkOfAdhesion,
+    /// Of an edge that advances, or recedes.
+    Work(Edge),
     Stiffness,
+    /// The true deflection over the recorded one.
+    Sensitivity,
     ContactPoint,
     Baseline,
+    /// By how much the baseline rises with X.
+    BaselineSlope,
+    /// By how much the baseline and the position rise with time.
+    BaselineDrift,
+    PositionDrift,
     /// A number of the profile, by its place among them.
     Profile(usize),
 }
@@ -24,7 +35,17 @@ pub(super) enum Kind {
 impl Kind {
     /// Whether it is an offset, fitted as it is. All others are fitted by their logarithm.
     pub(super) fn is_offset(self) -> bool {
-        matches!(self, Kind::ContactPoint | Kind::Baseline)
+        matches!(self, Kind::ContactPoint | Kind::Baseline) || self.is_trend()
+    }
+
+    /// Whether it moves rows by their place or time.
+    pub(super) fn is_trend(self) -> bool {
+        matches!(self, Kind::BaselineSlope | Kind::BaselineDrift | Kind::PositionDrift)
+    }
+
+    /// Whether it is a work of adhesion, which may be zero.
+    pub(super) fn is_work(self) -> bool {
+        matches!(self, Kind::WorkOfAdhesion | Kind::Work(_))
     }
 }
 
@@ -40,6 +61,8 @@ pub(super) struct Parameter {
     /// Mean and standard deviation.
     pub(super) prior: Option<[f64; 2]>,
     pub(super) bounds: Option<[f64; 2]>,
+    /// The unit of a drift.
+    pub(super) drift_unit: &'static str,
 }
 
 /// One row of the data, in SI units.
@@ -50,6 +73,18 @@ pub(super) struct DataRow {
     pub(super) leg: Leg,
     /// Its own σ_X and σ_Y.
     pub(super) sigma: [Option<f64>; 2],
+    pub(super) at: Moment,
+}
+
+/// When a row was recorded.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Moment {
+    /// The leg of the record, by its number.
+    pub(super) part: usize,
+    /// In s from the first row where times are known, else in shares of the record.
+    pub(super) time: f64,
+    /// X and time where this leg and the one before meet.
+    pub(super) turn: [f64; 2],
 }
 
 /// A measured curve and the numbers to be found from it. All numbers are in SI units.
@@ -69,6 +104,8 @@ pub struct Problem {
     pub(super) digits: Option<u32>,
     /// Whether intervals by the profile of the sum of squares are requested.
     pub(super) profile_likelihood: bool,
+    /// Which rows count.
+    pub(super) selection: Selection,
     pub(super) place: Location,
 }
 
@@ -98,19 +135,33 @@ impl Problem {
             free: false,
             prior: None,
             bounds: None,
+            drift_unit: "1",
         };
         let mut parameters = vec![
             parameter(Kind::EffectiveModulus, "e_star", SiUnit::Pascal, None),
             parameter(Kind::WorkOfAdhesion, "work_of_adhesion", SiUnit::JoulePerSquareMetre, None),
         ];
+        if observation != Observation::ForceOfRadius {
+            for edge in [Edge::Advancing, Edge::Receding] {
+                let name = format!("{WORK}{}", edge.name());
+                parameters.push(parameter(Kind::Work(edge), &name, SiUnit::JoulePerSquareMetre, None));
+            }
+        }
         if observation.has_machine() {
             parameters.push(parameter(Kind::Stiffness, "stiffness", SiUnit::NewtonPerMetre, None));
+            parameters.push(parameter(Kind::Sensitivity, "sensitivity", SiUnit::One, Some(1.0)));
         }
         if !observation.sees_radius() {
             parameters.push(parameter(Kind::ContactPoint, "contact_point", SiUnit::Metre, Some(0.0)));
         }
         let of_baseline = if observation == Observation::DeflectionOfPosition { SiUnit::Metre } else { SiUnit::Newton };
         parameters.push(parameter(Kind::Baseline, "baseline", of_baseline, Some(0.0)));
+        if observation.has_depth() {
+            let of_slope = if of_baseline == SiUnit::Metre { SiUnit::One } else { SiUnit::NewtonPerMetre };
+            parameters.push(parameter(Kind::BaselineSlope, "baseline_slope", of_slope, Some(0.0)));
+            parameters.push(parameter(Kind::BaselineDrift, "baseline_drift", SiUnit::Unstated, Some(0.0)));
+            parameters.push(parameter(Kind::PositionDrift, "position_drift", SiUnit::Unstated, Some(0.0)));
+        }
         for (index, ((number, location), unit)) in profile.numbers().into_iter().zip(profile.units()).enumerate() {
             let name = location.key().trim_start_matches("profile.").to_owned();
             parameters.push(parameter(Kind::Profile(index), &name, unit, Some(number.nearest_f64())));
@@ -127,18 +178,23 @@ impl Problem {
             range_of_adhesion: None,
             digits: None,
             profile_likelihood: false,
+            selection: Selection::default(),
             place,
         })
     }
 
-    /// Makes these numbers unknown: `e_star`, `work_of_adhesion`, `stiffness`, `contact_point`, `baseline`, and the numbers of
+    /// Makes these numbers unknown: `e_star`, `work_of_adhesion` or `work_of_adhesion.advancing` and `work_of_adhesion.receding`,
+    /// `stiffness`, `sensitivity`, `contact_point`, `baseline`, `baseline_slope`, `baseline_drift`, `position_drift`, and the numbers of
     /// the profile by their keys, such as `radius`.
     ///
     /// # Errors
-    /// A name that the problem does not have.
+    /// A name that the problem does not have, or that is named twice.
     pub fn free<'n>(mut self, names: impl IntoIterator<Item = &'n str>) -> Result<Self> {
         for name in names {
-            self.parameter_mut(name, "fit.free")?.free = true;
+            let parameter = self.parameter_mut(name, "fit.free")?;
+            if std::mem::replace(&mut parameter.free, true) {
+                return Err(refuse("fit.free", format!("`{}` is named twice", excerpt(name))));
+            }
         }
         Ok(self)
     }
@@ -159,7 +215,12 @@ impl Problem {
     /// A name that the problem does not have; a number that is not finite, or not positive where it must be.
     pub fn start(mut self, name: &str, value: f64) -> Result<Self> {
         let parameter = self.parameter_mut(name, "fit.start")?;
-        parameter.start = Some(parameter.checked(value, "fit.start")?);
+        let value = parameter.checked(value, "fit.start")?;
+        if value == 0.0 && !parameter.kind.is_offset() {
+            let why = "is fitted by its logarithm: its start must be positive; `fixed` may be zero";
+            return Err(refuse("fit.start", format!("`{}` {why}", excerpt(name))));
+        }
+        parameter.start = Some(value);
         Ok(self)
     }
 
@@ -228,6 +289,53 @@ impl Problem {
         Ok(self)
     }
 
+    /// Leaves out all rows of the other leg.
+    pub fn only(mut self, leg: Leg) -> Self {
+        self.selection.only = Some(leg);
+        self
+    }
+
+    /// Leaves out all rows with X or Y, as they are recorded, outside of an interval. The place where the record turns stays known.
+    ///
+    /// # Errors
+    /// Ends that do not ascend.
+    pub fn within(mut self, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> Result<Self> {
+        for (name, ends) in [("x", x), ("y", y)] {
+            if let Some([low, high]) = ends.filter(|[low, high]| !(low < high)) {
+                return Err(refuse("fit.rows", format!("the ends of `{name}` must ascend, got {low} to {high}")));
+            }
+        }
+        self.selection.within = [x, y];
+        Ok(self)
+    }
+
+    /// Leaves out all rows with Y at the ends of this range of the detector, or beyond them.
+    ///
+    /// # Errors
+    /// Ends that do not ascend.
+    pub fn saturation(mut self, [low, high]: [f64; 2]) -> Result<Self> {
+        if !(low < high) {
+            return Err(refuse("data.saturation", format!("must ascend, got {low} to {high}")));
+        }
+        self.selection.saturation = Some([low, high]);
+        Ok(self)
+    }
+
+    /// The time of each row, in s: drifts are then per second instead of per record.
+    ///
+    /// # Errors
+    /// Another number of times than of rows; a time that is not finite.
+    pub fn times(mut self, times: &[f64]) -> Result<Self> {
+        if times.len() != self.rows.len() {
+            return Err(refuse("data.time", format!("{} given for {} rows", times.len(), self.rows.len())));
+        }
+        if let Some(time) = times.iter().find(|time| !time.is_finite()) {
+            return Err(refuse("data.time", format!("must be finite, got {time}")));
+        }
+        self.selection.times = Some(times.to_vec());
+        Ok(self)
+    }
+
     /// Sets the loss.
     pub fn loss(self, loss: Loss) -> Self {
         Problem { loss, ..self }
@@ -271,6 +379,20 @@ impl Problem {
         self.parameters.iter().find(|parameter| parameter.kind == kind)?.known()
     }
 
+    /// A row by what is known before a fit: without trends, and of a true deflection.
+    pub(super) fn seen(&self, row: &DataRow) -> [f64; 2] {
+        let known = |kind: Kind| self.known(kind).unwrap_or(0.0);
+        let [slope, drift] = [Kind::BaselineSlope, Kind::BaselineDrift].map(known);
+        let y = row.y - slope * (row.x - known(Kind::ContactPoint)) - drift * row.at.time;
+        let y = match self.known(Kind::Sensitivity) {
+            Some(sensitivity) if sensitivity != 1.0 => {
+                known(Kind::Baseline) + sensitivity * (y - known(Kind::Baseline))
+            }
+            _ => y,
+        };
+        [row.x - known(Kind::PositionDrift) * row.at.time, y]
+    }
+
     /// Whether the number of a kind is unknown.
     pub(super) fn is_free(&self, kind: Kind) -> bool {
         self.parameters.iter().any(|parameter| parameter.kind == kind && parameter.free)
@@ -297,18 +419,24 @@ impl Problem {
     /// A problem that cannot be fitted: nothing free, no more rows than unknowns, a missing number, all rows out of contact.
     /// Numbers that the data do not determine are no error, but a [status](Fit::status) of the answer.
     pub fn fit(&self) -> Result<Fit> {
-        super::drive::fit(self)
+        super::drive::fit(&super::select::selected(self)?)
+    }
+
+    /// Whether the edge has a work of adhesion of its own for each direction.
+    pub(super) fn has_two_works(&self) -> bool {
+        let is_given = |parameter: &Parameter| parameter.free || parameter.value.is_some();
+        self.parameters.iter().any(|parameter| matches!(parameter.kind, Kind::Work(_)) && is_given(parameter))
     }
 
     /// The unit of a number by its name; where there is none of this name, the name is what is refused.
     pub(super) fn unit_of(&self, name: &str) -> SiUnit {
-        let bare = name.strip_prefix("profile.").unwrap_or(name);
+        let bare = bare(name);
         let parameter = self.parameters.iter().find(|parameter| parameter.name == bare);
         parameter.map_or(SiUnit::Unstated, |parameter| parameter.unit)
     }
 
     fn parameter_mut(&mut self, name: &str, key: &str) -> Result<&mut Parameter> {
-        let bare = name.strip_prefix("profile.").unwrap_or(name);
+        let bare = bare(name);
         match self.parameters.iter().position(|parameter| parameter.name == bare) {
             Some(index) => Ok(&mut self.parameters[index]),
             None => {
@@ -323,6 +451,7 @@ impl Parameter {
     /// The unit as answers write it.
     pub(super) fn unit_name(&self) -> &'static str {
         match self.unit {
+            _ if self.kind.is_trend() && self.unit == SiUnit::Unstated => self.drift_unit,
             SiUnit::One => "1",
             SiUnit::Degree => "degree",
             SiUnit::JoulePerSquareMetre => "J/m^2",
@@ -354,7 +483,25 @@ impl Parameter {
             }
             return Err(refuse(key, format!("`{}` must be finite, got {value}", excerpt(&self.name))));
         }
+        if value == 0.0 && self.kind.is_work() && key != "fit.prior" {
+            return Ok(value);
+        }
         positive(key, &self.name, value)
+    }
+}
+
+/// The prefix of the names of two works of adhesion.
+pub(super) const WORK: &str = "work_of_adhesion.";
+
+/// A name as parameters have it: numbers of the profile may be prefixed, and the two works of adhesion named by their edge.
+pub(super) fn bare(name: &str) -> std::borrow::Cow<'_, str> {
+    let name = name.strip_prefix("profile.").unwrap_or(name);
+    match Edge::ALL
+        .into_iter()
+        .find(|edge| edge.name() == name || name.strip_suffix("_work_of_adhesion") == Some(edge.name()))
+    {
+        Some(edge) => format!("{WORK}{}", edge.name()).into(),
+        None => name.into(),
     }
 }
 
