@@ -413,8 +413,8 @@ function page() {
     'view',
     [
       ['body', 'stretched'],
-      ['scale', 'true to scale'],
-      ['springs', 'as springs'],
+      ['scale', '1 : 1'],
+      ['springs', 'springs'],
     ],
     () => P.view,
     (key) => {

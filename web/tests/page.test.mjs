@@ -254,6 +254,7 @@ test('the body is in the picture when it has come off, and true to scale where u
     assert.ok(y > 8 && y < height, `${name}: the tip is at ${y} of ${height}`);
   }
   await page.click('[data-key="scale"]');
+  await data(page);
   assert.match(await page.textContent('#story'), /choose units/);
   await preset(page, 'AFM cantilever');
   await page.click('[data-key="scale"]');
@@ -449,17 +450,19 @@ test('SI units say the same: the pull-off force of an AFM tip is −(3/2)πwR', 
 });
 
 test('one picture and its control fit into a frame of another page', async () => {
-  for (const [width, height] of [
-    [360, 420],
-    [900, 420],
+  for (const [width, height, only, other] of [
+    [360, 420, 'balance', 'force'],
+    [900, 420, 'balance', 'body'],
+    [360, 420, 'body', 'force'],
+    [700, 420, 'force', 'balance'],
   ]) {
-    const page = await open(browser, '#only=balance', { viewport: { width, height } });
+    const page = await open(browser, `#only=${only}`, { viewport: { width, height } });
     await move(page, -0.6);
     assert.equal((await data(page)).state, 'detached');
     const [w, h] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
     assert.ok(w <= width && h <= height, `${w} × ${h} in ${width} × ${height}`);
-    assert.ok(await page.isHidden('#force'));
-    assert.match(await page.evaluate(() => location.hash), /only=balance/);
+    assert.ok((await page.isHidden(`#${other}`)) && (await page.isVisible(`#${only}`)));
+    assert.ok((await page.evaluate(() => location.hash)).includes(`only=${only}`));
     assert.deepEqual(page.problems, []);
     await page.close();
   }
@@ -482,7 +485,7 @@ test('five hundred random operations: no complaint, no number that is none', asy
       control: () => pick(['d', 'F', 'D']),
       shape: () => pick(['power', 'sphere', 'wavy', 'table']),
       axis: () => pick(['lin', 'sqrt', 'log']),
-      view: () => pick(['body', 'springs']),
+      view: () => pick(['body', 'scale', 'springs']),
       graph: () => pick(['force', 'fold']),
       unit: () => pick(['none', 'afm', 'gel', 'paper', 'own']),
     };
