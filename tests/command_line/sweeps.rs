@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::root;
+use crate::{mdr, root};
 
 /// Runs a script as one task of an array.
 fn task(folder: &Path, script: &str, number: u32, of: u32, arguments: &[String]) {
