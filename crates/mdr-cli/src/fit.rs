@@ -311,6 +311,7 @@ fn for_reader(answer: &Answer) -> String {
         parts.push(text_table(&header, answer.leg_rows()));
     }
     parts.extend(answer.left_out());
+    parts.extend(answer.read.iter().map(|read| read.sentence()));
     parts.push(answer.quality());
     parts.push(answer.attempts());
     parts.extend(answer.events());

@@ -1,10 +1,8 @@
 //! Rows of a measured curve: columns by name, units, legs.
 
-use csv::StringRecord;
 use mdr_core::number::Literal;
 use mdr_core::text::excerpt;
 use mdr_core::units::{SiUnit, bare, scaled};
-use mdr_numeric::table::{self, Line};
 
 use super::observation::Leg;
 use super::problem::{DataRow, Moment};
@@ -93,93 +91,39 @@ pub(super) struct Columns {
     pub(super) units: Option<[String; 2]>,
 }
 
-/// Reads the rows of a CSV file: a header, a row of units, numbers. Lines that begin with # are comments; the separator is a
-/// comma, a semicolon or a tab. Also which rows were left out since they have no number.
-pub(super) fn read(
-    text: &str,
-    columns: &Columns,
-    bases: [&str; 2],
-) -> std::result::Result<(Vec<DataRow>, Vec<usize>), String> {
-    let records = records(text)?;
-    let mut lines = records.iter().peekable();
-    let header = lines.next_if(|line| is_words(&line.fields) && !is_units(&line.fields)).map(|line| &line.fields);
-    let units = lines.next_if(|line| is_words(&line.fields) && is_units(&line.fields)).map(|line| &line.fields);
-    let place = |name: &Option<String>, otherwise: usize| match name {
-        None => Ok(otherwise),
-        Some(name) => column(header, name),
-    };
-    let places = [place(&columns.x, 0)?, place(&columns.y, 1)?];
-    // A column that is taken by its place has its name to itself, too.
-    for name in places.iter().filter_map(|place| header?.get(*place)).filter(|name| !name.is_empty()) {
-        column(header, name)?;
-    }
-    let optional = |name: &Option<String>| name.as_ref().map(|name| column(header, name)).transpose();
-    let (leg, sigma) = (optional(&columns.leg)?, [optional(&columns.sigma[0])?, optional(&columns.sigma[1])?]);
-    let unit = |axis: usize, place: usize| -> std::result::Result<String, String> {
-        let stated = columns.units.as_ref().map(|units| units[axis].as_str());
-        let unit = stated.or_else(|| units.and_then(|units| units.get(place)));
-        let Some(unit) = unit.filter(|unit| !unit.is_empty()) else {
-            return Err(format!(
-                "no units: the row after the header must name them, such as `{}`, or `units` in [data]",
-                bases.join(",")
-            ));
-        };
-        match si("1", unit, bases[axis]) {
-            Some(_) => Ok(unit.to_owned()),
-            None => Err(format!(
-                "`{}` is no unit of {}",
-                excerpt(unit),
-                if bases[axis] == "N" { "force" } else { "length" }
-            )),
-        }
-    };
-    let named = [unit(0, places[0])?, unit(1, places[1])?];
-    let of_sigma =
-        [0, 1].map(|axis| sigma[axis].and_then(|place| unit(axis, place).ok()).unwrap_or(named[axis].clone()));
-    let time = optional(&columns.time)?;
-    let second = time.map(|place| second(units.and_then(|units| units.get(place)).unwrap_or(""))).transpose()?;
-    let mut rows = Vec::with_capacity(records.len());
-    let (mut legs, mut missing) = (Vec::new(), Vec::new());
-    for Line { number: line, fields: record } in lines {
-        let number = |place: usize, unit: &str, axis: usize| {
-            let text = record.get(place).ok_or_else(|| format!("line {line}: there is no column {}", place + 1))?;
-            si(text, unit, bases[axis]).filter(|value| value.is_finite()).ok_or_else(|| {
-                let name = header.and_then(|header| header.get(place)).unwrap_or(["x", "y"][axis]);
-                format!("line {line}: `{}` in the column `{}` is not a number", excerpt(text), excerpt(name))
-            })
-        };
-        let is_missing = |place: usize| record.get(place).is_none_or(is_no_number);
-        if columns.skips_missing && places.iter().any(|place| is_missing(*place)) {
-            missing.push(rows.len() + missing.len());
-            continue;
-        }
-        let own = |axis: usize| sigma[axis].map(|place| number(place, &of_sigma[axis], axis)).transpose();
-        legs.push(
-            leg.map(|place| {
-                let name = record.get(place).unwrap_or("");
-                leg_of(name)
-                    .ok_or_else(|| format!("line {line}: a leg is `approach` or `retract`, got `{}`", excerpt(name)))
-            })
-            .transpose()?,
-        );
-        let (x, y) = (number(places[0], &named[0], 0)?, number(places[1], &named[1], 1)?);
-        let text = time.and_then(|place| record.get(place)).unwrap_or("0");
-        let seconds = text.trim().parse::<f64>().ok().map(|time| time * second.unwrap_or(1.0));
-        let Some(seconds) = seconds.filter(|time| time.is_finite()) else {
-            return Err(format!("line {line}: `{}` in the column of times is not a number", excerpt(text)));
-        };
-        let at = Moment { time: seconds, ..Moment::default() };
-        rows.push(DataRow { x, y, leg: Leg::Retract, sigma: [own(0)?, own(1)?], at });
-    }
-    let by_order = legs_by_order(&rows.iter().map(|row| row.x).collect::<Vec<_>>());
-    for ((row, given), found) in rows.iter_mut().zip(legs).zip(by_order) {
-        row.leg = given.unwrap_or(found);
-        if let Some(sigma) = row.sigma.iter().flatten().find(|sigma| **sigma <= 0.0) {
-            return Err(format!("a standard deviation must be positive, got {sigma}"));
-        }
-    }
-    Ok((rows, missing))
-}
+/// Names of the legs in files of instruments.
+const LEGS: [(Leg, &[&str]); 2] = [
+    (
+        Leg::Approach,
+        &[
+            "approach",
+            "approaching",
+            "extend",
+            "extending",
+            "extension",
+            "trace",
+            "advance",
+            "load",
+            "loading",
+            "forward",
+        ],
+    ),
+    (
+        Leg::Retract,
+        &[
+            "retract",
+            "retracting",
+            "retraction",
+            "withdraw",
+            "withdrawal",
+            "retrace",
+            "unload",
+            "unloading",
+            "reverse",
+            "backward",
+        ],
+    ),
+];
 
 /// Whether a field says that nothing was measured.
 pub(super) fn is_no_number(field: &str) -> bool {
@@ -188,7 +132,7 @@ pub(super) fn is_no_number(field: &str) -> bool {
 }
 
 /// A unit of time in s.
-fn second(unit: &str) -> std::result::Result<f64, String> {
+pub(super) fn second(unit: &str) -> std::result::Result<f64, String> {
     let units =
         [("", 1.0), ("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("µs", 1e-6), ("μs", 1e-6), ("ns", 1e-9), ("min", 60.0)];
     let found = units.iter().find(|(name, _)| *name == unit.trim());
@@ -197,9 +141,10 @@ fn second(unit: &str) -> std::result::Result<f64, String> {
         .ok_or_else(|| format!("`{}` is no unit of time: s, ms, us, ns or min", excerpt(unit)))
 }
 
-/// A leg by its name.
+/// A leg by its name, in capitals or not.
 pub(super) fn leg_of(name: &str) -> Option<Leg> {
-    Leg::ALL.into_iter().find(|leg| leg.name() == name)
+    let is_name = |known: &&str| known.eq_ignore_ascii_case(name.trim());
+    LEGS.into_iter().find(|(_, names)| names.iter().any(|known| is_name(&known))).map(|(leg, _)| leg)
 }
 
 /// The unit of a column, by its name.
@@ -213,46 +158,4 @@ pub(super) fn si(number: &str, unit: &str, base: &str) -> Option<f64> {
     let number = number.trim();
     number.parse::<Literal>().ok()?;
     scaled(number, power).parse().ok().map(|literal: Literal| literal.nearest_f64())
-}
-
-/// The rows of a file, with the numbers of their lines.
-fn records(text: &str) -> std::result::Result<Vec<Line>, String> {
-    let mut rows = table::separated(text.as_bytes()).map_err(|error| error.to_string())?;
-    let mut records = Vec::new();
-    while let Some(row) = rows.next() {
-        // A header and units are no rows.
-        let words = records.iter().take(2).take_while(|line: &&Line| is_words(&line.fields)).count();
-        if records.len() - words == MOST_ROWS {
-            let given = MOST_ROWS + 1 + rows.count();
-            return Err(format!("{given} rows; at most {MOST_ROWS} are read: {FEWER_ROWS}"));
-        }
-        records.push(row.map_err(|error| error.to_string())?);
-    }
-    Ok(records)
-}
-
-/// Whether no field is a number, as in a header.
-fn is_words(record: &StringRecord) -> bool {
-    record.iter().all(|field| field.parse::<f64>().map_or(true, f64::is_nan) || field.is_empty())
-}
-
-/// Whether some field is a unit and no field is a longer word than a unit can be.
-fn is_units(record: &StringRecord) -> bool {
-    record.iter().any(|field| si("1", field, "m").or_else(|| si("1", field, "N")).is_some())
-}
-
-fn column(header: Option<&StringRecord>, name: &str) -> std::result::Result<usize, String> {
-    let Some(header) = header else {
-        return Err(format!("there is no header that names the column `{}`", excerpt(name)));
-    };
-    let mut named = (0..header.len()).filter(|place| &header[*place] == name);
-    let found = named.next();
-    if let (Some(one), Some(other)) = (found, named.next()) {
-        let (name, one, other) = (excerpt(name), one + 1, other + 1);
-        return Err(format!("two columns, {one} and {other}, are named `{name}`: rename one of them"));
-    }
-    found.ok_or_else(|| {
-        let known: Vec<&str> = header.iter().collect();
-        mdr::reading::unknown_name_of_input("column", name, &known)
-    })
 }

@@ -40,6 +40,10 @@ pub(super) fn fit(problem: &Problem) -> Result<Fit> {
     super::smoothing::add(&mut fit, problem);
     let skipped = problem.selection.skipped.iter();
     fit.skipped = skipped.map(|(why, rows)| SkippedRows { why, rows: *rows }).collect();
+    if let Some((text, remark)) = &problem.read {
+        fit.read = Some(Box::new(text.clone()));
+        fit.warnings.extend(remark.clone());
+    }
     Ok(fit)
 }
 
@@ -287,6 +291,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         validity: None,
         warnings: Vec::new(),
         certified: None,
+        read: None,
         evaluations: minimum.evaluations,
         tried: tried.iter().map(|attempt| described(objective, attempt, alike)).collect(),
         intervals: Vec::new(),

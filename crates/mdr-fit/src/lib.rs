@@ -67,6 +67,7 @@ mod select;
 mod sheet;
 mod smoothing;
 mod start;
+mod text;
 mod trends;
 mod validity;
 mod warnings;
@@ -78,6 +79,7 @@ pub use answer::{
 };
 pub use observation::{Leg, Loss, Observation};
 pub use problem::Problem;
+pub use text::{CurveColumn, CurveText};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -7,6 +7,7 @@ use mdr_core::units::SiUnit;
 use super::answer::Fit;
 use super::observation::{Leg, Loss, Observation};
 use super::select::Selection;
+use super::text::CurveText;
 use mdr::reading::Location;
 use mdr::scene::{IntoProfile, Profile};
 use mdr::{Error, Result};
@@ -106,6 +107,8 @@ pub struct Problem {
     pub(super) profile_likelihood: bool,
     /// Which rows count.
     pub(super) selection: Selection,
+    /// How the text of the curve was read, where it was in a file, and a remark on it.
+    pub(super) read: Option<(CurveText, Option<String>)>,
     pub(super) place: Location,
 }
 
@@ -179,6 +182,7 @@ impl Problem {
             digits: None,
             profile_likelihood: false,
             selection: Selection::default(),
+            read: None,
             place,
         })
     }
@@ -411,6 +415,11 @@ impl Problem {
     /// The rows (X, Y), in SI units.
     pub fn data(&self) -> impl Iterator<Item = [f64; 2]> {
         self.rows.iter().map(|row| [row.x, row.y])
+    }
+
+    /// How the text of the curve was read, if it was in a file.
+    pub fn read_from(&self) -> Option<&CurveText> {
+        self.read.as_ref().map(|(text, _)| text)
     }
 
     /// The estimates, with their standard errors and further results.

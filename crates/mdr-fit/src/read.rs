@@ -8,6 +8,7 @@ use mdr_core::units::SiUnit;
 use super::data::{self, Columns};
 use super::observation::{Leg, Loss, Observation};
 use super::problem::{DataRow, Problem, WORK};
+use super::text::{self, Record};
 use mdr::files;
 use mdr::reading::Location;
 use mdr::reading::{self, Section, Value};
@@ -41,9 +42,8 @@ impl Problem {
         let source = reading::Source::open(file.as_ref())?;
         Ok(move |curve: &Path| {
             let name = curve.display().to_string();
-            let text = files::argument(curve).and_then(files::text);
-            let text = text.map_err(|source| Error::Io { name: name.clone(), source })?;
-            source.read(|top| read(top, Some(Curve { name: &name, text: &text })))
+            let bytes = files::argument(curve).map_err(|source| Error::Io { name: name.clone(), source })?;
+            source.read(|top| read(top, Some(Curve { name: &name, bytes: &bytes })))
         })
     }
 
@@ -65,11 +65,14 @@ impl Problem {
     }
 }
 
+/// The largest number of a column.
+const MOST_COLUMNS: u32 = 100_000;
+
 /// A curve in place of the data of a fit.
 #[derive(Clone, Copy)]
 struct Curve<'c> {
     name: &'c str,
-    text: &'c str,
+    bytes: &'c [u8],
 }
 
 fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
@@ -89,10 +92,11 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     let data = top.section("data")?;
     let observation = data.required("observation")?.choice("observation", &Observation::NAMES)?;
     let (mask, saturation) = (data.optional("rows").filter(Value::is_table), data.optional("saturation"));
-    let (Rows { rows, missing, times }, sigma) = rows_of(&data, observation, curve, mask.is_some())?;
-    let mut problem = Problem::with(profile, observation, rows, data.place())?;
-    problem.sigma = sigma;
-    (problem.selection.missing, problem.selection.times) = (missing, times);
+    let (record, sigma) = rows_of(&data, observation, curve, mask.is_some())?;
+    let times = times(&data, &record)?;
+    let mut problem = Problem::with(profile, observation, record.rows, data.place())?;
+    (problem.sigma, problem.read) = (sigma, record.text);
+    (problem.selection.missing, problem.selection.times) = (record.missing.len(), times);
     problem = picked(problem, &data, mask)?;
     if let Some(ends) = saturation {
         let range = pair(&ends, data::si_unit(observation.units()[1]))?;
@@ -163,11 +167,19 @@ fn pair(value: &Value<'_>, unit: SiUnit) -> Result<[f64; 2]> {
     <[f64; 2]>::try_from(ends).map_err(|ends| value.refuse(format!("expected two numbers, got {}", ends.len())))
 }
 
-/// Rows, how many were left out since they have no number, and their times.
-struct Rows {
-    rows: Vec<DataRow>,
-    missing: usize,
-    times: Option<Vec<f64>>,
+/// The time of each row that has numbers: of a column, or of a list.
+fn times(data: &Section<'_>, record: &Record) -> Result<Option<Vec<f64>>> {
+    let Some(value) = data.optional("time") else {
+        return Ok(record.has_times.then(|| record.rows.iter().map(|row| row.at.time).collect()));
+    };
+    let list = value.list_of(data::MOST_ROWS, data::FEWER_ROWS)?;
+    let list: Vec<f64> = list.iter().map(|time| number(time, SiUnit::One)).collect::<Result<_>>()?;
+    let count = record.rows.len() + record.missing.len();
+    if list.len() != count {
+        return Err(value.refuse(format!("{} times are given for {count} rows", list.len())));
+    }
+    let kept = list.into_iter().enumerate().filter(|(index, _)| record.missing.binary_search(index).is_err());
+    Ok(Some(kept.map(|(_, time)| time).collect()))
 }
 
 /// The table `[data]`: rows in a file beside it, or of the `curve` instead, or in it; and their standard deviations.
@@ -176,12 +188,18 @@ fn rows_of(
     observation: Observation,
     curve: Option<Curve<'_>>,
     has_mask: bool,
-) -> Result<(Rows, [Option<f64>; 2])> {
+) -> Result<(Record, [Option<f64>; 2])> {
     let bases = observation.units();
     let mut columns = Columns::default();
     if let Some(value) = data.optional("columns") {
         let names = value.section()?;
-        let name = |key| names.optional(key).map(|value| value.text().map(str::to_owned)).transpose();
+        let name = |key| {
+            let name = |value: Value<'_>| match value.whole(1, MOST_COLUMNS) {
+                Ok(number) => Ok(number.to_string()),
+                Err(_) => value.text().map(str::to_owned),
+            };
+            names.optional(key).map(name).transpose()
+        };
         (columns.x, columns.y, columns.leg, columns.time) = (name("x")?, name("y")?, name("leg")?, name("time")?);
         names.finish()?;
     }
@@ -207,17 +225,15 @@ fn rows_of(
     let (rows, missing) = match (which, has_mask) {
         (0, _) => {
             let own = match curve {
-                Some(_) => String::new(),
-                None => {
-                    let name = value.text()?;
-                    files::text(value.bytes(name)?).map_err(|error| value.refuse_file(name, &error))?
-                }
+                Some(_) => Vec::new(),
+                None => value.bytes(value.text()?)?,
             };
             let refuse = |why: String| match curve {
                 Some(curve) => value.refuse(format!("{}: {why}", excerpt(curve.name))),
                 None => value.refuse_file(value.text().unwrap_or_default(), &why),
             };
-            data::read(curve.map_or(own.as_str(), |curve| curve.text), &columns, bases).map_err(refuse)?
+            let bytes = curve.map_or(own.as_slice(), |curve| curve.bytes);
+            return Ok((text::read(bytes, &columns, bases).map_err(refuse)?, sigma));
         }
         (1, false) => inline(&value, &columns, bases)?,
         _ => {
@@ -228,18 +244,7 @@ fn rows_of(
             (data::rows(&list(&value, 0)?, &list(&data.required("y")?, 1)?, None)?, Vec::new())
         }
     };
-    let mut times = columns.time.is_some().then(|| rows.iter().map(|row| row.at.time).collect());
-    if let Some(value) = data.optional("time") {
-        let list = value.list_of(data::MOST_ROWS, data::FEWER_ROWS)?;
-        let list: Vec<f64> = list.iter().map(|time| number(time, SiUnit::One)).collect::<Result<_>>()?;
-        if list.len() != rows.len() + missing.len() {
-            let count = rows.len() + missing.len();
-            return Err(value.refuse(format!("{} times are given for {count} rows", list.len())));
-        }
-        let kept = list.into_iter().enumerate().filter(|(index, _)| missing.binary_search(index).is_err());
-        times = Some(kept.map(|(_, time)| time).collect());
-    }
-    Ok((Rows { rows, missing: missing.len(), times }, sigma))
+    Ok((Record { rows, text: None, missing, has_times: false }, sigma))
 }
 
 /// Rows `[[x, y], …]`, or with their leg `[x, y, "approach"]`.
