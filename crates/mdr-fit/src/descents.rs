@@ -246,6 +246,8 @@ fn inside_pinned(objective: &Objective<'_>, free: Minimum) -> Minimum {
     start[place] += LARGER.ln();
     match descended(objective, &start, free.evaluations) {
         Ok(other) if other.evaluation.cost() < free.evaluation.cost() + KINK * objective.noise.unit.powi(2) => other,
+        // Where x is exact no row is beyond the end of its arc.
+        Ok(other) if is_beyond(&free) && !is_beyond(&other) => other,
         _ => free,
     }
 }

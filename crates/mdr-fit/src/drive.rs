@@ -1,6 +1,6 @@
 //! From a problem to its answer: the scatter of its rows, the least minimum, and its assessment.
 
-use super::answer::{Fit, FitStatus, FittedRow, SkippedRows};
+use super::answer::{Fit, FitStatus, SkippedRows};
 use super::arcs;
 use super::descents::{self, AT_FOLD, Attempt, CONVERGED, Found};
 use super::errors::Errors;
@@ -11,6 +11,7 @@ use super::minimise::{self, Minimum};
 use super::objective::{Noise, Objective};
 use super::observation::{Leg, Loss};
 use super::problem::{Kind, Problem};
+use super::reported::{correlation, described, drawn, rows};
 use super::start::Source;
 use mdr::Result;
 use mdr::reading::Location;
@@ -333,18 +334,6 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     Ok(fit)
 }
 
-/// The result of a descent.
-fn described(objective: &Objective<'_>, attempt: &descents::Attempt, alike: bool) -> super::answer::Attempt {
-    let unit = if alike { objective.noise.y_scale } else { 1.0 / objective.noise.unit };
-    let estimates = attempt.fitted.iter().enumerate().map(|(place, fitted)| objective.value(place, *fitted));
-    super::answer::Attempt {
-        start: attempt.start,
-        detached: attempt.detached,
-        estimates: estimates.collect(),
-        rss: (attempt.cost.sqrt() * unit).powi(2),
-    }
-}
-
 /// Why estimates are not to be trusted.
 fn poor_fit(chi2: f64, dof: usize, p: f64) -> String {
     let size = if chi2.is_finite() { format!("{chi2:.5e}") } else { "beyond the range of a double".to_owned() };
@@ -394,61 +383,4 @@ fn is_exact(objective: &Objective<'_>, minimum: &Minimum) -> bool {
     let largest = objective.rows.iter().map(|row| row.y.abs()).fold(0.0, f64::max);
     let count = objective.rows.len() as f64;
     minimum.evaluation.cost().sqrt() * objective.noise.y_scale <= 1e-11 * largest * count.sqrt()
-}
-
-fn correlation(covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let deviation = |index: usize| covariance[index][index].sqrt();
-    let of = |row: usize, column: usize| {
-        let scale = deviation(row) * deviation(column);
-        if row == column {
-            1.0
-        } else if scale > 0.0 {
-            covariance[row][column] / scale
-        } else {
-            0.0
-        }
-    };
-    (0..covariance.len()).map(|row| (0..covariance.len()).map(|column| of(row, column)).collect()).collect()
-}
-
-/// Each row beside the curve.
-fn rows(objective: &Objective<'_>, minimum: &Minimum) -> Result<Vec<FittedRow>> {
-    let evaluation = &minimum.evaluation;
-    // Labels count from the outermost arc on which a row of its curve lies.
-    let mut outermost = vec![0; evaluation.sheets.len()];
-    for (row, label) in objective.rows.iter().zip(&evaluation.labels) {
-        let outermost = &mut outermost[evaluation.sheet_of(row)];
-        *outermost = (*outermost).max(*label);
-    }
-    let row = |(index, row): (usize, &super::problem::DataRow)| {
-        let residual = evaluation.residuals[index] / objective.noise.unit;
-        let sheet = evaluation.sheet_of(row);
-        let place = evaluation.numbers.untrended(row);
-        let trend = [row.x - place[0], row.y - place[1]];
-        let (at, contact_radius, label, pinned) = match &evaluation.feet[index] {
-            Some(foot) => {
-                let point = evaluation.contact(objective.problem.observation, sheet).point(&foot.s)?;
-                let label = outermost[sheet] as i32 - evaluation.labels[index] as i32;
-                (point.at, Some(point.a), label, evaluation.sheets[sheet].is_pinned(foot))
-            }
-            None => ([place[0], evaluation.numbers.baseline], None, -1, false),
-        };
-        let fitted = [at[0] + trend[0], at[1] + trend[1]];
-        Ok(FittedRow { x: row.x, y: row.y, leg: row.leg, label, residual, fitted, contact_radius, pinned })
-    };
-    objective.rows.iter().enumerate().map(row).collect()
-}
-
-/// The arcs as points (X, Y, a): of each leg the outermost first.
-fn drawn(objective: &Objective<'_>, minimum: &Minimum) -> Result<Vec<Vec<[f64; 3]>>> {
-    let evaluation = &minimum.evaluation;
-    let mut drawn = Vec::new();
-    for (index, sheet) in evaluation.sheets.iter().enumerate() {
-        let contact = evaluation.contact(objective.problem.observation, index);
-        let point = |sample: &arcs::Sample| Ok([sample.at[0], sample.at[1], contact.point(&sample.s)?.a]);
-        for arc in sheet.arcs.iter().rev() {
-            drawn.push(arc.samples.iter().map(point).collect::<Result<_>>()?);
-        }
-    }
-    Ok(drawn)
 }

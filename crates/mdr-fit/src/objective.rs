@@ -2,14 +2,13 @@
 
 use std::sync::Arc as Shared;
 
-use mdr_core::contact::{Edge, Result};
-use nalgebra::{DMatrix, DVector};
+use mdr_core::contact::Result;
+use nalgebra::DVector;
 
 use super::arcs::{self, Arc, Turn};
 use super::contact::{Contact, Numbers, Tip};
-use super::foot::{self, Foot, Scales};
-use super::labels::cheapest;
-use super::observation::{Leg, Loss, Observation};
+use super::foot::{Foot, Scales};
+use super::observation::{Loss, Observation};
 use super::problem::{DataRow, Kind, Parameter, Problem};
 use super::sheet::{self, Sheet};
 
@@ -48,7 +47,7 @@ pub(super) struct Noise {
 
 impl Noise {
     /// The standard deviation of a prior or of an event, in the unit of the noise.
-    fn unit_of(&self, sd: f64) -> f64 {
+    pub(super) fn unit_of(&self, sd: f64) -> f64 {
         sd / self.unit
     }
 
@@ -70,7 +69,7 @@ pub(super) struct AtFold {
 }
 
 /// The factor on the distance in X of a held fold, against that of a row beyond it.
-const HELD: f64 = 1e3;
+pub(super) const HELD: f64 = 1e3;
 
 /// The residuals at one set of numbers.
 pub(super) struct Evaluation {
@@ -217,7 +216,7 @@ impl<'p> Objective<'p> {
     }
 
     /// σ_Y of a row, in the unit of the noise.
-    fn y_scale(&self, row: &DataRow) -> f64 {
+    pub(super) fn y_scale(&self, row: &DataRow) -> f64 {
         row.sigma[1].map_or(self.noise.y_scale, |own| self.noise.scaled(own))
     }
 
@@ -278,129 +277,12 @@ impl<'p> Objective<'p> {
         Ok(evaluation)
     }
 
-    fn detached(&self, numbers: &Numbers<f64>, row: &DataRow) -> f64 {
+    pub(super) fn detached(&self, numbers: &Numbers<f64>, row: &DataRow) -> f64 {
         (numbers.baseline - numbers.untrended(row)[1]) / self.y_scale(row)
     }
 
-    /// The sheet of each leg, with labels and feet of its rows.
-    fn label(&self, evaluation: &mut Evaluation, before: Option<&Evaluation>) -> Result<()> {
-        let observation = self.problem.observation;
-        let numbers = evaluation.numbers.clone();
-        let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.noise.beyond);
-        let [low, high] = self.rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| {
-            let [x, _] = numbers.untrended(row);
-            [low.min(x), high.max(x)]
-        });
-        let range = [low, high + margin];
-        let directions: &[Option<Edge>] = match numbers.works {
-            Some(_) => &[Some(Edge::Advancing), Some(Edge::Receding)],
-            None => &[None],
-        };
-        for (index, direction) in directions.iter().enumerate() {
-            let sheet =
-                Sheet { numbers: numbers.of_edge(*direction), direction: *direction, pin: None, arcs: Vec::new() };
-            let contact = sheet.contact(&evaluation.tip, observation);
-            let turns = sheet::turns(&contact, before.and_then(|before| before.turns.get(index)).map(Vec::as_slice))?;
-            if index == 0 {
-                let arcs = arcs::arcs(&contact, &turns, range)?;
-                evaluation.sheets.push(Sheet { arcs, ..sheet });
-            }
-            evaluation.turns.push(turns);
-        }
-        let parts = self.rows.last().map_or(0, |row| row.at.part + 1);
-        evaluation.of_part = vec![0; parts];
-        let mut first = 0;
-        for leg in self.rows.chunk_by(|one, other| one.at.part == other.at.part) {
-            let index = match (numbers.works, leg[0].leg) {
-                (Some(_), Leg::Retract) => {
-                    let sheet = self.receding(evaluation, &leg[0], range)?;
-                    evaluation.sheets.push(sheet);
-                    evaluation.sheets.len() - 1
-                }
-                _ => 0,
-            };
-            evaluation.of_part[leg[0].at.part] = index;
-            let contact = evaluation.contact(observation, index);
-            let (labels, feet) = self.label_leg(&contact, &evaluation.sheets[index].arcs, leg, first)?;
-            evaluation.labels.extend(labels);
-            evaluation.feet.extend(feet);
-            first += leg.len();
-        }
-        Ok(())
-    }
-
-    /// The sheet of a leg that retracts, of an edge that is pinned before it recedes.
-    fn receding(&self, evaluation: &Evaluation, first: &DataRow, range: [f64; 2]) -> Result<Sheet> {
-        let numbers = &evaluation.numbers;
-        let advancing = evaluation.contact(self.problem.observation, 0);
-        let [x, time] = first.at.turn;
-        // Where the approach ended: on its arc, if it is in the data.
-        let before = evaluation.labels.len().checked_sub(1).filter(|before| self.rows[*before].leg == Leg::Approach);
-        let level = before.map(|before| evaluation.labels[before]);
-        let turn = [x - numbers.trends[2] * time, time];
-        let mut sheet = Sheet {
-            numbers: numbers.of_edge(Some(Edge::Receding)),
-            direction: Some(Edge::Receding),
-            pin: sheet::pinned(&advancing, &evaluation.sheets[0].arcs, level, turn)?,
-            arcs: Vec::new(),
-        };
-        let contact = sheet.contact(&evaluation.tip, self.problem.observation);
-        let turns = arcs::up_to_edge(&contact, evaluation.turns.get(1).map_or(&[], Vec::as_slice))?;
-        sheet.arcs = arcs::arcs(&contact, &turns, range)?;
-        Ok(sheet)
-    }
-
-    /// Whether a row can be detached: where the contact radius is given, one of radius zero must be.
-    fn can_be(&self, row: &DataRow, detached: bool) -> bool {
-        match self.problem.observation {
-            Observation::ForceOfRadius => detached == (row.x <= 0.0),
-            Observation::IndentationOfForce | Observation::RadiusOfForce => !detached,
-            _ => true,
-        }
-    }
-
-    /// Labels and feet of the rows of a leg, of which the first is `first`.
-    fn label_leg(
-        &self,
-        contact: &Contact<'_, f64>,
-        arcs: &[Arc],
-        leg: &[DataRow],
-        first: usize,
-    ) -> Result<(Vec<usize>, Vec<Option<Foot>>)> {
-        // Level 0 is detached, each other that of an arc.
-        let levels = arcs.len() + 1;
-        let mut costs = vec![f64::INFINITY; levels * leg.len()];
-        let mut found = vec![None; levels * leg.len()];
-        let of_rows = costs.chunks_mut(levels).zip(found.chunks_mut(levels));
-        for ((index, row), (costs, feet)) in leg.iter().enumerate().zip(of_rows) {
-            let scales = self.scales(row);
-            let place = contact.numbers.untrended(row);
-            let held = self.at_fold.iter().find(|held| held.row == first + index && held.beyond == 0.0);
-            if let Some(fold) = held.and_then(|held| arcs.get(held.level - 1)).and_then(Arc::inner_fold) {
-                let level = held.map_or(0, |held| held.level);
-                let foot = foot::at_fold(fold, place, scales.y);
-                costs[level] = self.loss(foot.residual)[0].powi(2);
-                feet[level] = Some(foot);
-                continue;
-            }
-            if self.can_be(row, true) || arcs.is_empty() {
-                costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
-            }
-            if self.can_be(row, false) {
-                for (index, arc) in arcs.iter().enumerate() {
-                    let foot = arc.foot(contact, place, &scales)?;
-                    costs[index + 1] = self.loss(foot.residual)[0].powi(2);
-                    feet[index + 1] = Some(foot);
-                }
-            }
-        }
-        let cheapest = cheapest(&costs, levels, leg.first().map_or(Leg::Retract, |row| row.leg));
-        let feet = cheapest.iter().zip(found.chunks(levels)).map(|(level, feet)| feet[*level]).collect();
-        Ok((cheapest, feet))
-    }
-
     /// A residual as it counts, and its derivative with respect to the distance.
-    fn loss(&self, residual: f64) -> [f64; 2] {
+    pub(super) fn loss(&self, residual: f64) -> [f64; 2] {
         let huber = HUBER * self.noise.unit;
         if self.problem.loss == Loss::LeastSquares || residual.abs() <= huber {
             return [residual, 1.0];
@@ -420,113 +302,6 @@ impl<'p> Objective<'p> {
         self.priors().map(residual).collect()
     }
 
-    /// The derivatives of the residuals with respect to the fitted values. A number at a bound that it presses against has none.
-    ///
-    /// # Errors
-    /// Errors of the transform.
-    pub(super) fn jacobian(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
-        let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), self.free.len());
-        let moving = self.moving(fitted);
-        let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
-        let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
-        for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
-            let Some(foot) = foot else {
-                let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
-                for (place, kind) in &moving {
-                    let own = f64::from(u8::from(*kind == Kind::Baseline));
-                    jacobian[(index, *place)] = slope * (own + evaluation.numbers.trend_partial(*kind, row)[1]);
-                }
-                continue;
-            };
-            let contact = &contacts[evaluation.sheet_of(row)];
-            let point = contact.point(&foot.s)?;
-            let slope = self.loss(foot.residual)[1];
-            let Some(arc) = evaluation.arc(row, evaluation.labels[index]) else { continue };
-            for (place, kind) in &moving {
-                let [x, y] = arc.partial(contact, *kind, foot, &point)?;
-                let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, row);
-                jacobian[(index, *place)] = slope * (foot.weights[0] * (x + more_x) + foot.weights[1] * (y + more_y));
-            }
-        }
-        let mut index = self.rows.len();
-        for (place, [_, sd]) in self.priors() {
-            let value = self.value(place, fitted[place]);
-            jacobian[(index, place)] = if self.is_offset(place) { 1.0 } else { value } / self.noise.unit_of(sd);
-            index += 1;
-        }
-        // How the place of a fold moves with each number.
-        let mut fold = |index: usize, sheet: usize, s: f64, unit: f64, row: Option<&DataRow>| -> Result<()> {
-            let contact = &contacts[sheet];
-            let point = contact.point(&s)?;
-            for (place, kind) in &moving {
-                let speed = arcs::end_speed(contact, *kind, &point)?;
-                let trend = row.map_or(0.0, |row| evaluation.numbers.trend_partial(*kind, row)[0]);
-                jacobian[(index, *place)] =
-                    (contact.partial(*kind, &point)?[0] + point.tangent[0] * speed + trend) / unit;
-            }
-            Ok(())
-        };
-        if let Some([_, sd]) = self.problem.pull_off {
-            let sheet = evaluation.breaking();
-            if let Some(s) = evaluation.sheets[sheet].last_fold() {
-                fold(index, sheet, s, self.noise.unit_of(sd), None)?;
-            }
-            index += 1;
-        }
-        for held in &self.at_fold {
-            let row = &self.rows[held.row];
-            if let Some(end) = evaluation.arc(row, held.level).and_then(Arc::inner_fold) {
-                fold(index, evaluation.sheet_of(row), end.s, self.noise.beyond / HELD, Some(row))?;
-            }
-            index += 1;
-        }
-        Ok(jacobian)
-    }
-
-    /// The Jacobian for standard errors: a row that is compared to the end of an arc counts in both directions, along the
-    /// distance and across it, where its residual is zero.
-    ///
-    /// # Errors
-    /// Errors of the transform.
-    pub(super) fn information(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
-        let moving = self.moving(fitted);
-        let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
-        let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
-        let across = |(index, foot): (usize, &Foot)| {
-            let data = &self.rows[index];
-            let contact = &contacts[evaluation.sheet_of(data)];
-            let point = contact.point(&foot.s)?;
-            let scales = self.scales(data);
-            let scales = [scales.x.unwrap_or(scales.beyond), scales.y];
-            let [along_x, along_y] = [foot.weights[0] * scales[0], foot.weights[1] * scales[1]];
-            let mut row = vec![0.0; self.free.len()];
-            let Some(arc) = evaluation.arc(data, evaluation.labels[index]) else { return Ok(row) };
-            for (place, kind) in &moving {
-                let [x, y] = arc.partial(contact, *kind, foot, &point)?;
-                let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, data);
-                row[*place] = along_x * (y + more_y) / scales[1] - along_y * (x + more_x) / scales[0];
-            }
-            Ok(row)
-        };
-        let is_held = |index: usize| self.at_fold.iter().any(|held| held.row == index);
-        let feet = evaluation.feet.iter().enumerate().filter(|(index, _)| !is_held(*index));
-        let ends = feet.filter_map(|(index, foot)| Some((index, foot.as_ref().filter(|foot| foot.is_end)?)));
-        let rows: Vec<Vec<f64>> = ends.map(across).collect::<Result<_>>()?;
-        let mut jacobian = self.jacobian(fitted, evaluation)?;
-        let known = jacobian.nrows();
-        for (index, held) in self.at_fold.iter().enumerate() {
-            let width = self.width_of_fold(evaluation, held)?;
-            jacobian
-                .row_mut(known - self.at_fold.len() + index)
-                .scale_mut(self.noise.unit * self.noise.beyond / HELD / width);
-        }
-        let mut information = jacobian.resize_vertically(known + rows.len(), 0.0);
-        for (index, row) in rows.iter().enumerate() {
-            information.row_mut(known + index).copy_from_slice(row);
-        }
-        Ok(information)
-    }
-
     /// How far beyond the last row in contact a fold may be: where the curve has risen by the noise. Near a fold at X₀ it rises as
     /// Y' √(2 (X − X₀)/X''), with derivatives along the curve.
     pub(super) fn width_of_fold(&self, evaluation: &Evaluation, held: &AtFold) -> Result<f64> {
@@ -539,15 +314,6 @@ impl<'p> Objective<'p> {
         let sigma = self.y_scale(&self.rows[held.row]) * self.noise.unit;
         let curvature = contact.curvature(&point)?[0];
         Ok((sigma / point.tangent[1]).powi(2) * 0.5 * curvature.abs())
-    }
-
-    /// The free numbers but those whose fitted value lies beyond a bound: these do not follow it.
-    fn moving(&self, fitted: &[f64]) -> Vec<(usize, Kind)> {
-        let follows = |place: &usize| {
-            let fitted = fitted[*place];
-            !self.at_bound(*place, fitted) || self.to_fitted(*place, self.value(*place, fitted)) == fitted
-        };
-        (0..self.free.len()).filter(follows).map(|place| (place, self.kind(place))).collect()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Which rows of a record count, its legs by number, and the time of each row.
 
 use super::observation::{Leg, Observation};
+use super::parameter::refuse;
 use super::problem::{DataRow, Moment, Problem};
 use mdr::Result;
 
@@ -24,6 +25,55 @@ pub(super) struct Selection {
     pub(super) missing: usize,
     /// Reasons with the numbers of rows that were left out.
     pub(super) skipped: Vec<(&'static str, usize)>,
+}
+
+impl Problem {
+    /// Leaves out all rows of the other leg.
+    pub fn only(mut self, leg: Leg) -> Self {
+        self.selection.only = Some(leg);
+        self
+    }
+
+    /// Leaves out all rows with X or Y, as they are recorded, outside of an interval. The place where the record turns stays known.
+    ///
+    /// # Errors
+    /// Ends that do not ascend.
+    pub fn within(mut self, x: Option<[f64; 2]>, y: Option<[f64; 2]>) -> Result<Self> {
+        for (name, ends) in [("x", x), ("y", y)] {
+            if let Some([low, high]) = ends.filter(|[low, high]| !(low < high)) {
+                return Err(refuse("fit.rows", format!("the ends of `{name}` must ascend, got {low} to {high}")));
+            }
+        }
+        self.selection.within = [x, y];
+        Ok(self)
+    }
+
+    /// Leaves out all rows with Y at the ends of this range of the detector, or beyond them.
+    ///
+    /// # Errors
+    /// Ends that do not ascend.
+    pub fn saturation(mut self, [low, high]: [f64; 2]) -> Result<Self> {
+        if !(low < high) {
+            return Err(refuse("data.saturation", format!("must ascend, got {low} to {high}")));
+        }
+        self.selection.saturation = Some([low, high]);
+        Ok(self)
+    }
+
+    /// The time of each row, in s: drifts are then per second instead of per record.
+    ///
+    /// # Errors
+    /// Another number of times than of rows; a time that is not finite.
+    pub fn times(mut self, times: &[f64]) -> Result<Self> {
+        if times.len() != self.rows.len() {
+            return Err(refuse("data.time", format!("{} given for {} rows", times.len(), self.rows.len())));
+        }
+        if let Some(time) = times.iter().find(|time| !time.is_finite()) {
+            return Err(refuse("data.time", format!("must be finite, got {time}")));
+        }
+        self.selection.times = Some(times.to_vec());
+        Ok(self)
+    }
 }
 
 /// The problem with the rows that count, each with its moment.

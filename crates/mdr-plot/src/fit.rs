@@ -58,8 +58,7 @@ fn panel(fit: &Fit, heading: &str, y: Axis, height: impl Fn(&FittedRow) -> Optio
             // The approach has colours of its own, after those of the arcs.
             let (name, colour) = match leg {
                 Some(Leg::Approach) => (format!("{name}, approach"), Colour::series(APPROACH + label as usize)),
-                Some(Leg::Retract) => (format!("{name}, retract"), colour),
-                None => (name.clone(), colour),
+                _ => (name.clone(), colour),
             };
             let rows = fit.rows.iter().filter(|row| row.label == label && leg.is_none_or(|leg| row.leg == leg));
             let points: Vec<Point> = rows.filter_map(|row| Some([row.x, height(row)?])).collect();

@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import Any, Literal, TypeAlias, final
+from typing import Any, Literal, TypeAlias, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -166,6 +166,12 @@ class Fit:
             "contact_radius": self.contact_radius,
             "pinned": self.pinned,
         }
+
+    @overload
+    def plot(self) -> Picture: ...
+
+    @overload
+    def plot(self, ax: Any) -> Any: ...
 
     def plot(self, ax: Any = None) -> Any:
         """Data with their labels and the fitted curve, residuals, and contact radius, as SVG.
