@@ -243,3 +243,70 @@ fn nothing_is_guessed() {
     let many = [b"d [nm],F [nN]\n".as_slice(), &b"1,2\n".repeat(1_000_001)].concat();
     assert!(open(&many, "").unwrap_err().contains("1000001 rows; at most 1000000"));
 }
+
+/// SplitMix64 (Steele, Lea & Flood 2014).
+struct Random(u64);
+
+impl Random {
+    /// A number below `end`.
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) % end as u64) as usize
+    }
+}
+
+/// Damaged files are read or refused on one line of limited length, and never panic.
+#[test]
+fn damaged_files_are_read_or_refused() {
+    const PIECES: [&[u8]; 16] = [
+        b"#",
+        b"%",
+        b";",
+        b",",
+        b"\t",
+        b" ",
+        b"\n",
+        b"\r",
+        b"\"",
+        b"nm",
+        b"[",
+        b"]",
+        b"# segment: x\n",
+        b"# columns: a b\n",
+        b"\xff\xfe",
+        b"1e999",
+    ];
+    let seeds: [String; 4] = [
+        format!("d [nm],F [nN]\n{}", rows(",", ".", None)),
+        format!("Gain;3\nd;F\nnm;nN\n{}", rows(";", ",", Some(["extend", "retract"]))),
+        format!("# segment: extend\n# columns: d F\n# units: nm nN\n{}", rows(" ", ".", None)),
+        format!("\"d (x)\"\tF / µN\n{}", rows("\t", ",", None)),
+    ];
+    let mut random = Random(7);
+    let mut read = 0;
+    for _ in 0..4000 {
+        let mut bytes = seeds[random.below(seeds.len())].clone().into_bytes();
+        for _ in 0..=random.below(3) {
+            let at = random.below(bytes.len());
+            match random.below(4) {
+                0 => bytes[at] ^= 1 << random.below(8),
+                1 => drop(bytes.drain(at..(at + 1 + random.below(9)).min(bytes.len()))),
+                2 => {
+                    let part = bytes[at..(at + 9).min(bytes.len())].to_vec();
+                    bytes.splice(at..at, part);
+                }
+                _ => drop(bytes.splice(at..at, PIECES[random.below(PIECES.len())].iter().copied())),
+            }
+        }
+        let data = ["", "columns = { x = \"d\", y = 2 }", "units = [\"nm\", \"nN\"]"][random.below(3)];
+        match open(&bytes, data) {
+            Ok(_) => read += 1,
+            Err(error) => assert!(!error.contains('\n') && error.len() < 1500, "{error}"),
+        }
+    }
+    // Neither everything nor nothing.
+    assert!((200..3800).contains(&read), "{read}");
+}
