@@ -112,9 +112,27 @@ fn turn(text: &str) -> String {
     format!("{}\n{}", header.trim_end_matches(','), rows.lines().map(row).collect::<String>())
 }
 
+/// Dates and times beside the numbers, and the first line that some spreadsheets write.
+#[test]
+fn other_columns_may_hold_anything() {
+    let timed = |separator: &str, mark: &str| {
+        let row = |line: &str| format!("2020-01-02 12:00:05{separator}{line}{separator}ok\n");
+        rows(separator, mark, None).lines().map(row).collect::<String>()
+    };
+    for (text, number) in [
+        (format!("time,d [nm],F [nN],state\n{}", timed(",", ".")), 2),
+        (format!("sep=;\ntime;d [nm];F [nN];state\n{}", timed(";", ",")), 2),
+        (format!("time\td\tF\n\tnm\tnN\n{}", timed("\t", ",")), 2),
+        (format!("d [nm] F [nN] day clock\n{}", rows(" ", ",", None).replace('\n', " 2020-01-02 12:00:05\n")), 1),
+    ] {
+        let (found, how) = read(text.as_bytes(), "");
+        assert_eq!((found, how.x.number, how.y.number), (expected(), number, number + 1), "{text}");
+    }
+}
+
 #[test]
 fn every_encoding_is_one_text() {
-    let text = format!("Größe\tµ\nd [µm]\tF [nN]\n{}", rows("\t", ",", None).replace("2000,0\t", "2000,0\t"));
+    let text = format!("Größe\tµ\nd [µm]\tF [nN]\n{}", rows("\t", ",", None));
     let wide = |order: fn(u16) -> [u8; 2], mark: [u8; 2]| {
         mark.into_iter().chain(text.encode_utf16().flat_map(order)).collect::<Vec<u8>>()
     };

@@ -133,7 +133,7 @@ fn inputs() -> Vec<&'static str> {
 }
 
 /// The values of a record under this key.
-fn values<'a>(key: Key, record: &'a Record) -> impl Iterator<Item = &'a str> {
+fn values(key: Key, record: &Record) -> impl Iterator<Item = &str> {
     let flags = if key == Key::Field("flag") { record.flags.as_slice() } else { &[] };
     let own = KEYS.iter().filter(move |(name, _)| Key::Field(name) == key).filter_map(|(_, value)| value(record));
     let input = if let Key::Input(name) = key { record.input(name) } else { None };

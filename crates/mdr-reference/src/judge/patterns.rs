@@ -141,7 +141,7 @@ fn absolute_tolerance(pairs: &[&Pair<'_>], unit: &str, not_right: usize) -> Opti
     let scales = left.iter().filter(|pair| pair.certified.abs() >= SCALES * largest).count();
     let contradicts = |pair: &&&Pair<'_>| pair.error() > bound.max(pair.rounding());
     // A loss that is a share of each value would be seen at the large ones.
-    if bound == 0.0 || rough < LEAST || scales == 0 || left.iter().any(|pair| contradicts(&pair)) {
+    if bound == 0.0 || rough < LEAST || scales == 0 || left.iter().any(contradicts) {
         return None;
     }
     let statement = format!(
