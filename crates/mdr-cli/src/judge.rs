@@ -22,7 +22,7 @@ const PICTURE: &str = "Draw right digits and excess loss to this SVG file, and t
 #[derive(Debug, Args)]
 #[command(after_help = include_str!("../help/judge.txt"), mut_arg("plot", |flag| flag.help(PICTURE)))]
 pub(crate) struct Judge {
-    /// Answers, one JSON object a line; - for standard input
+    /// Answers, one a line, as JSON, `id value` or CSV; - for standard input
     #[arg(value_name = "ANSWERS.jsonl")]
     answers: PathBuf,
 
