@@ -25,7 +25,7 @@ fn few(trial: &Trial<'_>) -> Precision {
 fn number(trial: &mut Trial<'_>, least: f64, greatest: f64) -> f64 {
     let value = trial.uniform(least, greatest);
     let unit = 2_f64.powi(value.abs().log2().floor() as i32 - 5);
-    if trial.index % 2 == 0 { (value / unit).round() * unit } else { value }
+    if trial.index.is_multiple_of(2) { (value / unit).round() * unit } else { value }
 }
 
 /// Demands that the truths lie within enclosures of the same quantities. What few bits do not decide is no answer, and no error; a
@@ -40,6 +40,9 @@ fn demand(trial: &mut Trial<'_>, quantity: &str, few: Result<Vec<Interval>>, tru
         trial.enter(format!("{quantity} of {} bits", few.precision()), if within { 0.0 } else { off.min(1e9) }, 0.0);
     }
 }
+
+/// Numbers under the name of their quantity.
+type Named = (&'static str, Result<Vec<Interval>>);
 
 /// Everything that a power law answers.
 struct Law {
@@ -60,7 +63,7 @@ impl Law {
     }
 
     /// A quantity with its name.
-    fn quantities(&self) -> Vec<(&'static str, Result<Vec<Interval>>)> {
+    fn quantities(&self) -> Vec<Named> {
         let Law { contact, graded, a, d, stiffness } = self;
         let one = |value: Result<Interval>| value.map(|value| vec![value]);
         let state =
@@ -116,11 +119,11 @@ pub(super) fn power_laws(trial: &mut Trial<'_>) -> Result<()> {
 /// g, g' and the mean of g of the profiles of the library, and the Struve functions that the waves need.
 pub(super) fn profiles(trial: &mut Trial<'_>) -> Result<()> {
     let profile = Drawn::<f64>::draw(trial, ());
-    let x = profile.radius(trial, trial.index % 2 == 0, ())?;
+    let x = profile.radius(trial, trial.index.is_multiple_of(2), ())?;
     let z = 2_f64.powf(trial.uniform(-4.0, 7.0));
     let bits = few(trial);
     trial.describe(format_args!("{profile}, x = {x:e}, z = {z}, {} bits", bits.bits()));
-    let answers = |precision: Precision| -> Result<Vec<(&'static str, Result<Vec<Interval>>)>> {
+    let answers = |precision: Precision| -> Result<Vec<Named>> {
         let transform = profile.lifted::<Interval>(precision).closed::<Interval>()?;
         let [x, z] = [x, z].map(|value| Interval::from_f64(precision, value));
         let one = |value: Result<Interval>| value.map(|value| vec![value]);

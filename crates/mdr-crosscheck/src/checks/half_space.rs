@@ -129,8 +129,11 @@ fn agm(mut x: f64, mut y: f64) -> f64 {
     f64::midpoint(x, y)
 }
 
+/// A tip by its transform.
+type Tip = Arc<dyn Transform<f64>>;
+
 /// A tip of the library, or in every fourth case a power law: its transform, its heights and a radius of contact.
-fn tip(trial: &mut Trial<'_>) -> Result<(Arc<dyn Transform<f64>>, Heights<f64>, f64)> {
+fn tip(trial: &mut Trial<'_>) -> Result<(Tip, Heights<f64>, f64)> {
     if trial.index % 4 == 3 {
         let (n, c) = (trial.uniform(0.25, 5.0), trial.uniform(0.1, 3.0));
         trial.describe(format_args!("n = {n}, C = {c}"));
