@@ -72,7 +72,7 @@ impl Judge {
         read.map_err(|error| files::of_flag("", &self.answers, error))?;
         let report = bench.report();
         match self.format {
-            Format::Json => out.text(report.to_json_lines())?,
+            Format::Json => out.json_lines(&report.to_json_lines())?,
             Format::Csv => out.spreadsheet(&report.to_rows())?,
             Format::Table => out.text(self.for_reader(&report))?,
         }
