@@ -32,6 +32,8 @@ pub(crate) mod proof;
 mod provider;
 #[cfg(feature = "mp")]
 pub(crate) mod refine;
+#[cfg(feature = "mp")]
+pub(crate) mod rigorous;
 mod roughness;
 pub(crate) mod sample;
 pub(crate) mod search;

@@ -3,6 +3,8 @@
 pub(crate) mod edges;
 #[cfg(feature = "mp")]
 mod edges_proof;
+#[cfg(feature = "mp")]
+mod energies;
 mod events;
 #[cfg(feature = "mp")]
 mod law;
@@ -179,6 +181,12 @@ impl LoadingPath {
         LoadingPath { events: List::new(promise, events).complete(complete), balance, energy: None }
     }
 
+    /// Takes the energies from another computation of the same path, with the same promise.
+    #[cfg(feature = "mp")]
+    pub(crate) fn with_proved_energy_of(self, other: PathNumbers<Number>) -> Self {
+        LoadingPath { energy: None, ..self.with_energy_of(Promise::Certified, other) }
+    }
+
     /// Takes the energies from another computation of the same path.
     #[cfg(feature = "mp")]
     pub(crate) fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
@@ -271,7 +279,10 @@ impl<'w> IsRoom<'w> for Room {
             return proved_between_edges(certified);
         }
         let Some(folds) = certified.fold_proof()? else { return Ok(None) };
-        let Some((proved, followed)) = proof::path(certified, folds)? else { return Ok(None) };
+        let Some((proved, mut followed)) = proof::path(certified, folds)? else { return Ok(None) };
+        if let Some(path) = followed.proved_energy(certified, folds)? {
+            return Ok(Some(proved.with_proved_energy_of(path).into()));
+        }
         let path = match followed.with_energy(certified, folds) {
             Ok(path) => proved.with_energy_of(Promise::Estimated, path),
             Err(error) => proved.without_energy(&error.to_string()),
