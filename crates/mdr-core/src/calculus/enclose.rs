@@ -2,7 +2,7 @@
 //! bound of its remainder.
 //!
 //! # The bound
-//! Let f be analytic in the closed ellipse with the foci m ± h and the sum of half-axes ρh, and |f − c| ≤ M there for a real
+//! Let f be analytic inside the ellipse with the foci m ± h and the sum of half-axes ρh, and |f − c| ≤ M there for a real
 //! constant c. The rule of N ≥ 2 nodes on m ± h is off by at most
 //!
 //! (64/15) M h / ((1 − ρ⁻²) ρ^(2N)).

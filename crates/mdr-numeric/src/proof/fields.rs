@@ -93,7 +93,8 @@ impl<'a> EnclosedFields<'a> {
         let slope = self.contact.transform().slope(&self.a)?;
         let work = self.contact.adhesion().scale();
         let ratio = self.contact.medium().stiffening(work, slope, &self.a).filter(Real::is_finite);
-        let open = || Error::undecided(Quantity::ContactRadius, &self.a, "whether the state is a fold of the indentation");
+        let open =
+            || Error::undecided(Quantity::ContactRadius, &self.a, "whether the state is a fold of the indentation");
         Ok(ratio.ok_or_else(open)? * stiffness)
     }
 

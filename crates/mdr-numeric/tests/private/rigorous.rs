@@ -41,13 +41,7 @@ fn integrals(bits: u32) -> [Interval; 2] {
     let radius = one.ratio(3, 10);
     let square = || Square {
         transform: &transform,
-        stretch: Stretch {
-            profile: &profile,
-            beyond: 0,
-            base: None,
-            from: one.lit(0),
-            length: radius.clone(),
-        },
+        stretch: Stretch { profile: &profile, beyond: 0, base: None, from: one.lit(0), length: radius.clone() },
     };
     let material = Material::new(one.clone(), one.clone()).expect("positive");
     let contact = Contact::half_space(&Arc::new(transform.clone()), &material, &Control::Indentation);

@@ -2,9 +2,9 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Equilibrium, Result};
+use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, Real, certify::Enclosure};
-use mdr_core::number::Literal;
 use mdr_numeric::admissible::Verdict;
 use mdr_numeric::fields::Fields;
 #[cfg(feature = "mp")]
