@@ -1,6 +1,6 @@
 //! The derivatives of the residuals with respect to the fitted values.
 
-use mdr_core::contact::Result;
+use mdr_core::contact::{Edge, Result};
 use nalgebra::DMatrix;
 
 use super::arcs::{self, Arc};
@@ -31,7 +31,12 @@ impl Objective<'_> {
             let point = contact.point(&foot.s)?;
             let slope = self.loss(foot.residual)[1];
             let Some(arc) = evaluation.arc(row, evaluation.labels[index]) else { continue };
+            let is_pinned = point.beyond_edge && contact.pinned.is_some();
             for (place, kind) in &moving {
+                // What holds a pinned edge does not show: not even in rounding, which would be a direction of its own.
+                if is_pinned && !foot.is_end && *kind == Kind::Work(Edge::Receding) {
+                    continue;
+                }
                 let [x, y] = arc.partial(contact, *kind, foot, &point)?;
                 let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, row);
                 jacobian[(index, *place)] = slope * (foot.weights[0] * (x + more_x) + foot.weights[1] * (y + more_y));

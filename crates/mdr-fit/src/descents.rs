@@ -22,12 +22,6 @@ pub(super) const AT_FOLD: f64 = 1e-2;
 /// A minimum with the fold at the last row is looked for where the fold is within so many widths of the noise of it.
 const WIDTHS: f64 = 9.0;
 
-/// A work of adhesion over the one that just holds an edge.
-const LARGER: f64 = 3.0;
-
-/// The rise of χ² up to which one row does not tell that an edge recedes at it.
-const KINK: f64 = 4.0;
-
 /// The drop of Y at a fold, in units of σ, below which no row tells that there is one.
 const UNSEEN: f64 = 0.1;
 
@@ -191,7 +185,7 @@ impl Search {
 /// kink, and others with the fold beyond it, to which the other rows lead, or at which the curve goes through the row.
 fn settled(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
     objective.at_fold.clear();
-    let free = inside_pinned(objective, descended(objective, start, evaluations)?);
+    let free = descended(objective, start, evaluations)?;
     if objective.x_scale.is_some() {
         return Ok(free);
     }
@@ -235,21 +229,6 @@ fn settled(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> 
 fn descended(objective: &Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
     let (fitted, more) = minimise::descend(objective, start, 1e-12, 100)?;
     minimise::polish(objective, &fitted, evaluations + more)
-}
-
-/// Where the edge never recedes, a minimum at which it might do so at the last row gives way to one of a larger work of adhesion, which is as
-/// good: the sum of squares has a kink there.
-fn inside_pinned(objective: &Objective<'_>, free: Minimum) -> Minimum {
-    let open = super::limits::open(objective, &free);
-    let Some(place) = open.iter().position(|open| *open).filter(|_| free.gradient > CONVERGED) else { return free };
-    let mut start = free.fitted.clone();
-    start[place] += LARGER.ln();
-    match descended(objective, &start, free.evaluations) {
-        Ok(other) if other.evaluation.cost() < free.evaluation.cost() + KINK * objective.noise.unit.powi(2) => other,
-        // Where x is exact no row is beyond the end of its arc.
-        Ok(other) if is_beyond(&free) && !is_beyond(&other) => other,
-        _ => free,
-    }
 }
 
 /// The minimum to which all rows but these lead, then with them.
