@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._afmformats import from_afmformats
 from ._media import Medium
 from ._numbers import Floats, Number, digits_of, exact, row
 from ._profiles import Files, Profile
@@ -288,3 +289,7 @@ def fit(
         problem["output"] = output
     text = json.dumps(problem)
     return Fit(_core.fit(text, files, False)[0], text, files)
+
+
+# mdr.fit.from_afmformats is mdr.from_afmformats, where one looks for it.
+setattr(fit, "from_afmformats", from_afmformats)
