@@ -1,7 +1,6 @@
-//! Figures 1 to 4 of the theory and Johnson's wave, computed: each the diagram {Δl, g − d} of a scene.
+//! Figures 1 to 4 of the theory, computed: each the diagram {Δl, g − d} of a scene.
 
 mod convex;
-mod johnson;
 mod sharp;
 mod study;
 mod wavy;
@@ -16,13 +15,11 @@ pub type Figure = (&'static str, fn() -> Result<Picture>);
 /// All figures.
 ///
 /// 1a and 1b: equilibrium of a paraboloid, and the last one; 2: a stable and an unstable equilibrium; 3: the sharp tip r^(1/4)
-/// that jumps to complete contact; 4: a wavy paraboloid that jumps from crest to crest; `johnson`: a half-plane on a wave, pull-off and
-/// the jump into complete contact. Computed in f64.
-pub const FIGURES: [Figure; 6] = [
+/// that jumps to complete contact; 4: a wavy paraboloid that jumps from crest to crest. Computed in f64.
+pub const FIGURES: [Figure; 5] = [
     ("figure-1a", convex::figure_1a),
     ("figure-1b", convex::figure_1b),
     ("figure-2", convex::figure_2),
     ("figure-3", sharp::figure_3),
     ("figure-4", wavy::figure_4),
-    ("johnson", johnson::figure),
 ];

@@ -56,7 +56,8 @@ fn random_contact(
         }
         _ => {
             let amplitude = 10f64.powf(uniform() - 0.5);
-            let alpha = (2.0 * w / (pi * pi * amplitude * amplitude)).sqrt();
+            // The work of adhesion of a scene with a wave is that of α = 0.3 at an amplitude of one.
+            let alpha = 0.3 / amplitude;
             let state = move |a: f64| {
                 let (s, t) = ((pi * a).sin().powi(2), (pi * a).tan());
                 let pressure = s - alpha * t.sqrt();
