@@ -144,10 +144,10 @@ fn write(fitted: &[Fitted], format: Format, out: &mut Out<impl std::io::Write>) 
         Format::Json => {
             for (file, answer) in fitted {
                 match answer {
-                    Ok(answer) if fitted.len() == 1 => out.text(answer.to_json())?,
+                    Ok(answer) if fitted.len() == 1 => out.json_lines(&answer.to_json())?,
                     Ok(answer) => {
                         let file = serde_json::Value::from(file.as_str());
-                        out.text(format_args!("{{\"file\":{file},{}", &answer.to_json()[1..]))?;
+                        out.json_lines(&format!("{{\"file\":{file},{}", &answer.to_json()[1..]))?;
                     }
                     Err(error) => {
                         let reason = error.to_string();

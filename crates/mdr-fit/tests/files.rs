@@ -112,9 +112,27 @@ fn turn(text: &str) -> String {
     format!("{}\n{}", header.trim_end_matches(','), rows.lines().map(row).collect::<String>())
 }
 
+/// Dates and times beside the numbers, and the first line that some spreadsheets write.
+#[test]
+fn other_columns_may_hold_anything() {
+    let timed = |separator: &str, mark: &str| {
+        let row = |line: &str| format!("2020-01-02 12:00:05{separator}{line}{separator}ok\n");
+        rows(separator, mark, None).lines().map(row).collect::<String>()
+    };
+    for (text, number) in [
+        (format!("time,d [nm],F [nN],state\n{}", timed(",", ".")), 2),
+        (format!("sep=;\ntime;d [nm];F [nN];state\n{}", timed(";", ",")), 2),
+        (format!("time\td\tF\n\tnm\tnN\n{}", timed("\t", ",")), 2),
+        (format!("d [nm] F [nN] day clock\n{}", rows(" ", ",", None).replace('\n', " 2020-01-02 12:00:05\n")), 1),
+    ] {
+        let (found, how) = read(text.as_bytes(), "");
+        assert_eq!((found, how.x.number, how.y.number), (expected(), number, number + 1), "{text}");
+    }
+}
+
 #[test]
 fn every_encoding_is_one_text() {
-    let text = format!("Größe\tµ\nd [µm]\tF [nN]\n{}", rows("\t", ",", None).replace("2000,0\t", "2000,0\t"));
+    let text = format!("Größe\tµ\nd [µm]\tF [nN]\n{}", rows("\t", ",", None));
     let wide = |order: fn(u16) -> [u8; 2], mark: [u8; 2]| {
         mark.into_iter().chain(text.encode_utf16().flat_map(order)).collect::<Vec<u8>>()
     };
@@ -242,4 +260,71 @@ fn nothing_is_guessed() {
     assert!(open(&long, "").unwrap_err().contains("line 3 is longer than"));
     let many = [b"d [nm],F [nN]\n".as_slice(), &b"1,2\n".repeat(1_000_001)].concat();
     assert!(open(&many, "").unwrap_err().contains("1000001 rows; at most 1000000"));
+}
+
+/// SplitMix64 (Steele, Lea & Flood 2014).
+struct Random(u64);
+
+impl Random {
+    /// A number below `end`.
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) % end as u64) as usize
+    }
+}
+
+/// Damaged files are read or refused on one line of limited length, and never panic.
+#[test]
+fn damaged_files_are_read_or_refused() {
+    const PIECES: [&[u8]; 16] = [
+        b"#",
+        b"%",
+        b";",
+        b",",
+        b"\t",
+        b" ",
+        b"\n",
+        b"\r",
+        b"\"",
+        b"nm",
+        b"[",
+        b"]",
+        b"# segment: x\n",
+        b"# columns: a b\n",
+        b"\xff\xfe",
+        b"1e999",
+    ];
+    let seeds: [String; 4] = [
+        format!("d [nm],F [nN]\n{}", rows(",", ".", None)),
+        format!("Gain;3\nd;F\nnm;nN\n{}", rows(";", ",", Some(["extend", "retract"]))),
+        format!("# segment: extend\n# columns: d F\n# units: nm nN\n{}", rows(" ", ".", None)),
+        format!("\"d (x)\"\tF / µN\n{}", rows("\t", ",", None)),
+    ];
+    let mut random = Random(7);
+    let mut read = 0;
+    for _ in 0..4000 {
+        let mut bytes = seeds[random.below(seeds.len())].clone().into_bytes();
+        for _ in 0..=random.below(3) {
+            let at = random.below(bytes.len());
+            match random.below(4) {
+                0 => bytes[at] ^= 1 << random.below(8),
+                1 => drop(bytes.drain(at..(at + 1 + random.below(9)).min(bytes.len()))),
+                2 => {
+                    let part = bytes[at..(at + 9).min(bytes.len())].to_vec();
+                    bytes.splice(at..at, part);
+                }
+                _ => drop(bytes.splice(at..at, PIECES[random.below(PIECES.len())].iter().copied())),
+            }
+        }
+        let data = ["", "columns = { x = \"d\", y = 2 }", "units = [\"nm\", \"nN\"]"][random.below(3)];
+        match open(&bytes, data) {
+            Ok(_) => read += 1,
+            Err(error) => assert!(!error.contains('\n') && error.len() < 1500, "{error}"),
+        }
+    }
+    // Neither everything nor nothing.
+    assert!((200..3800).contains(&read), "{read}");
 }

@@ -223,12 +223,13 @@ impl Split<'_> {
         Split { fields, numbers }
     }
 
-    /// At least two numbers, and no field that begins like a number and is none.
-    fn is_row(&self, separator: Separator) -> bool {
-        let broken = |field: &Cow<'_, str>| {
-            !is_number(field, separator) && field.starts_with(|first: char| first.is_ascii_digit() || first == '.')
+    /// At least two numbers, and no field of several: commas in `1,5 2,5` separate nothing.
+    fn is_row(&self) -> bool {
+        let is_several = |field: &Cow<'_, str>| {
+            let mut parts = field.split_whitespace();
+            parts.clone().count() > 1 && parts.all(|part| is_number(part, Separator::Blanks))
         };
-        self.numbers >= 2 && !self.fields.iter().any(broken)
+        self.numbers >= 2 && !self.fields.iter().any(is_several)
     }
 
     fn is_words(&self) -> bool {
@@ -262,11 +263,11 @@ impl Layout {
         let filled = &lines.filled;
         let separator = separator(filled)?;
         let split = |place: usize| Split::of(filled[place].text, separator);
-        let last = (0..filled.len()).rev().map(split).find(|line| line.is_row(separator));
+        let last = (0..filled.len()).rev().map(split).find(|line| line.is_row());
         let width = last.map_or(2, |line| line.fields.len());
         let is_row = |place: usize| {
             let line = split(place);
-            line.is_row(separator) && (separator != Separator::Blanks || line.fields.len() == width)
+            line.is_row() && (separator != Separator::Blanks || line.fields.len() == width)
         };
         let is_numbers = |line: &&Line<'_>| Split::of(line.text, separator).is_all_numbers();
         let above = filled.iter().take(MOST_ABOVE).take_while(|line| !is_numbers(line)).count();
@@ -365,7 +366,7 @@ impl Layout {
 /// The separator of the last line that is a row.
 fn separator(lines: &[Line<'_>]) -> Result<Separator, String> {
     for line in lines.iter().rev() {
-        let fits = |separator: &Separator| Split::of(line.text, *separator).is_row(*separator);
+        let fits = |separator: &Separator| Split::of(line.text, *separator).is_row();
         if let Some(separator) = Separator::ALL.into_iter().find(fits) {
             return match separator {
                 Separator::Comma if is_undecided(line.text) => Err(format!(

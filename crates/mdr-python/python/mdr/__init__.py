@@ -14,7 +14,7 @@ from typing import Final
 from . import _media, _profiles
 from ._afmformats import AfmCurve, from_afmformats
 from ._contact import Contact, Control, Machine, Start
-from ._core import CERTIFIED
+from ._core import CERTIFIED, PROGRAM
 from ._core import VERSION as __version__
 from ._errors import (
     DomainError, Error, FilterError, InternalError, NoConvergenceError, NoEquilibriumError, OutOfRangeError, SceneError,
@@ -32,7 +32,7 @@ from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Status
 RECORDS_RELEASE: Final = 4
 
 __all__ = [
-    "CERTIFIED", "RECORDS_RELEASE", "__version__",
+    "CERTIFIED", "PROGRAM", "RECORDS_RELEASE", "__version__",
     "Contact", "Control", "Machine", "Start", "context", "critical_states", "effective_modulus", "jkr", "kappa",
     "Equilibria", "Event", "Fold", "LoadingPath", "State", "States", "Status", "Trace",
     "File", "Picture", "Solution", "solve",
