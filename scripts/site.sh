@@ -53,4 +53,6 @@ done >$parts/style
 } >$parts/script
 sed -e "/^<!-- style -->$/{r $parts/style" -e 'd;}' -e "/^<!-- script -->$/{r $parts/script" -e 'd;}' \
     web/explorer/index.html >$page
+# The pages of the book lead to it, whichever of both was made first.
+echo 'window.EXPLORER=true;' >target/book/explorer-here.js
 echo "$page: $(wc -c <$page) bytes, $(gzip -9 -c $page | wc -c) compressed"
