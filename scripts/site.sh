@@ -35,7 +35,7 @@ cd ..
 # One page: the style, the engine (gzipped, in base64) and the scripts stand where the page has their marks.
 parts=target/web/parts
 page=target/book/explorer.html
-scripts="engine scene parameters model plot pictures hysteresis body own page"
+scripts="engine scene parameters model plot pictures hysteresis body own tasks page"
 mkdir -p $parts target/book
 for sheet in page figures; do
     echo "<style id=\"$sheet\">"

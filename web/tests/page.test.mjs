@@ -271,6 +271,88 @@ test('the body is in the picture when it has come off, and true to scale where u
   await page.close();
 });
 
+test('a lecture, a laptop and a phone on its side need no scrolling, and the slider is as high as a thumb', async () => {
+  for (const [width, height, hash, seen, hidden] of [
+    [1280, 720, '#lecture&v=0.25', ['balance', 'body', 'force', 'value'], ['s-n', 'energy']],
+    [1366, 768, '', ['balance', 'energy', 'body', 'force', 'value', 's-n'], []],
+    [844, 390, '', ['balance', 'value'], ['energy']],
+  ]) {
+    const page = await open(browser, hash, { viewport: { width, height } });
+    const what = `${width} × ${height}`;
+    const [w, h] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+    assert.ok(w <= width && h <= height, `${w} × ${h} in ${what}`);
+    for (const id of seen) {
+      const box = await page.locator(`#${id}`).boundingBox();
+      assert.ok(box.y >= 0 && box.y + box.height <= height + 1 && box.height > 20, `${what}: ${id} at ${JSON.stringify(box)}`);
+    }
+    for (const id of hidden) assert.ok(await page.isHidden(`#${id}`), `${what}: ${id}`);
+    const slider = await page.locator('#value').boundingBox();
+    if (width !== 1366) assert.ok(slider.height >= 44, `${what}: ${slider.height}`);
+    assert.deepEqual(page.problems, []);
+    await page.close();
+  }
+});
+
+test('lecture: by key and address, letters 1.4 times, dragging goes as far as the pointer', async () => {
+  const page = await open(browser, '#v=0.25', { viewport: { width: 1280, height: 720 } });
+  const letters = () => page.$eval('#balance text', (e) => e.getBoundingClientRect().height);
+  const before = await letters();
+  await page.keyboard.press('l');
+  await data(page);
+  close((await letters()) / before, 1.4, 0.05);
+  await page.waitForFunction(() => location.hash.includes('lecture'));
+  // Where the orange curve is at a share of the width of the picture, on the screen.
+  const curve = (share) =>
+    page.evaluate((share) => {
+      const hit = document.querySelector('#balance .hit');
+      const box = document.querySelector('#balance').getBoundingClientRect();
+      let [low, high] = [0, hit.getTotalLength()];
+      for (let i = 0; i < 40; i++) {
+        const at = hit.getPointAtLength((low + high) / 2).matrixTransform(hit.getScreenCTM());
+        if (at.x < box.left + share * box.width) low = (low + high) / 2;
+        else high = (low + high) / 2;
+      }
+      const at = hit.getPointAtLength(low).matrixTransform(hit.getScreenCTM());
+      return [at.x, at.y];
+    }, share);
+  const [x, y] = await curve(0.4);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y - 24, { steps: 4 });
+  await page.mouse.up();
+  await data(page);
+  close((await curve(0.4))[1], y - 24, 0.01);
+  await page.keyboard.press('L');
+  await page.waitForFunction(() => !location.hash.includes('lecture'));
+  await page.close();
+});
+
+test('six tasks: a guess, then what happens, and the progress in the address', async () => {
+  const page = await open(browser);
+  const found = [];
+  await page.click('#tasks-open');
+  for (let i = 0; i < 6; i++) {
+    assert.match(await page.textContent('#task-text'), new RegExp(`^Task ${i + 1} of 6`));
+    await page.locator('#guess').fill(String(await page.evaluate(() => explorer.state().range[0] * 0.5)));
+    await page.click('#task-play');
+    const text = await page.textContent('#task-answer');
+    found.push(text.match(/= (−?[\d.]+)/)?.[1] ?? text);
+    if (i < 5) await page.click('#task-next');
+  }
+  console.log(`# measured: ${found.join(', ')}`);
+  assert.deepEqual(found.slice(0, 2), ['−0.472', '−0.750']);
+  assert.ok(Number(found[3]) > 0.249 && Number(found[3]) < 0.251, found[3]);
+  assert.ok(found.every((x) => /^−?\d/.test(x)), found.join());
+  await page.waitForFunction(() => /task=6/.test(location.hash) && /done=1\.2\.3\.4\.5\.6/.test(location.hash));
+  const again = await open(browser, new URL(page.url()).hash);
+  assert.match(await again.textContent('#task-text'), /^Task 6 of 6/);
+  await again.close();
+  await preset(page, 'Cone');
+  assert.ok(await page.isHidden('#tasks'));
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
 test('keyboard: the slider pulls it off, the edge can be held and let go', async () => {
   const page = await open(browser);
   await page.focus('#value');
