@@ -352,7 +352,7 @@ function preset(index) {
   note = '';
   const kept = PRESETS.some(([, { unit }]) => unit === P.unit) ? {} : { unit: P.unit };
   const graph = P.graph;
-  P = { ...DEFAULTS, ...kept, uR: P.uR, uE: P.uE, uw: P.uw, view: P.view, ...parameters };
+  P = { ...DEFAULTS, ...kept, uR: P.uR, uE: P.uE, uw: P.uw, view: P.view, ghost: P.ghost, ...parameters };
   if (P.graph !== graph) turn(P.graph);
   if (!rebuild()) return request();
   value = v;

@@ -51,10 +51,11 @@ function readout() {
     ['contact radius a', S.kind === 1 ? len(S.a) : known ? '0' : '∞'],
     ['depth d', known ? show(S.d, 'd') : '—'],
     ['force F', known ? show(S.F, 'F') : '—'],
+    ...(folds.length === 1 && folds[0].F ? [['force over that at P', known ? minus((S.F / folds[0].F).toFixed(3)) : '—']] : []),
     ['energy lost', unbounded ? '∞' : show(lostTotal, 'E', 4)],
     ['folds', String(folds.length)],
   ];
-  if (P.control === 'D') table.splice(3, 0, ['stiffness k', show(P.k, 'k')]);
+  if (P.control === 'D') table.splice(2, 0, ['stiffness k', show(P.k, 'k')]);
   $('readout').innerHTML = table.map(([k, v]) => `<tr><th scope="row">${k}</th><td>${v}</td></tr>`).join('');
   const text = show(value, heldKind());
   $('value-out').textContent = text;
@@ -252,6 +253,7 @@ function sync() {
     set($(`s-${key}`), { 'aria-valuetext': $(`o-${key}`).textContent });
   }
   ['control', 'shape', 'view', 'graph'].forEach((id) => $(id).sync());
+  set($('ghost'), { 'aria-pressed': P.ghost === 'on' });
   $('axis').value = P.axis;
   $('unit').value = P.unit;
   $('own-units').hidden = P.unit !== 'own';
@@ -501,6 +503,11 @@ function page() {
   };
   $('reset').onclick = startAgain;
   $('undo').onclick = undo;
+  $('pin').onclick = pin;
+  $('ghost').onclick = () => {
+    P.ghost = P.ghost === 'on' ? 'off' : 'on';
+    sync();
+  };
   addEventListener('keydown', (e) => {
     const writes = /^(textarea|select)$/i.test(e.target.tagName) || e.target.inputMode === 'decimal';
     if (writes || e.key !== 'z' || !(e.ctrlKey || e.metaKey) || e.shiftKey) return;
