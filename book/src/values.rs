@@ -179,7 +179,7 @@ pub(crate) fn table(found: &[&Record]) -> Markup {
     html! {
         div.table tabindex="0" role="group" aria-label="Values" { table.values {
             thead { tr { th { "quantity" } th { "value" } } }
-            tbody { @for record in found { tr id=(record.id) data-double=[record.hexadecimal()] data-release=(record.release) {
+            tbody { @for record in found { tr id=(record.id) data-release=(record.release) {
                 td { (quantity(record)) } td { (value(record)) }
             } } }
         } }

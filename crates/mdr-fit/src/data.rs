@@ -114,7 +114,7 @@ const LEGS: [(Leg, &[&str]); 2] = [
 /// A leg by its name, in capitals or not.
 pub(super) fn leg_of(name: &str) -> Option<Leg> {
     let is_name = |known: &&str| known.eq_ignore_ascii_case(name.trim());
-    LEGS.into_iter().find(|(_, names)| names.iter().any(|known| is_name(known))).map(|(leg, _)| leg)
+    LEGS.into_iter().find(|(_, names)| names.iter().any(&is_name)).map(|(leg, _)| leg)
 }
 
 /// The unit of a column, by its name.
