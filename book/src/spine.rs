@@ -38,7 +38,7 @@ pub(crate) const FIGURES: [Live; 14] = [
     ),
     live(
         "two-curves",
-        "v=-0.2",
+        "v=-0.3",
         "balance",
         "Where the curves meet, the contact rests. Take hold of its edge, and let it go.",
     ),

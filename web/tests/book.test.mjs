@@ -149,7 +149,7 @@ test('figures move where the explorer is, and are pictures where it is not', { s
   if (here) {
     const frame = page.frameLocator('figure.live iframe');
     await frame.locator('#explorer[data-ready="true"]').waitFor({ state: 'attached', timeout: 20000 });
-    assert.match(await page.locator('figure.live figcaption a').getAttribute('href'), /^explorer\.html#v=-0\.2$/);
+    assert.match(await page.locator('figure.live figcaption a').getAttribute('href'), /^explorer\.html#v=-0\.3$/);
     assert.ok(await frame.locator('#balance').isVisible());
   }
   await page.close();
