@@ -94,9 +94,9 @@ fn searched(objective: &Objective<'_>, start: Start, known: Edge, span: f64) -> 
         start.works[other as usize] = work;
         start
     };
-    let unit = start.e_star * span;
     let mut tried: Vec<(f64, Start)> = LENGTHS
-        .map(|power| unit * 10f64.powf(f64::from(power) / IN_A_DECADE))
+        .map(|power| span * 10f64.powf(f64::from(power) / IN_A_DECADE))
+        .map(|length| objective.problem.work_of_length(start.e_star, length))
         .filter(
             |work| if other == Edge::Receding { *work > 0.5 * start.works[0] } else { *work < 2.0 * start.works[1] },
         )

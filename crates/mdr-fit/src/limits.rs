@@ -50,12 +50,10 @@ pub(super) fn of_pinned(fit: &mut Fit, objective: &Objective<'_>, minimum: &Mini
         }
         let contact = evaluation.contact(objective.problem.observation, sheet);
         let point = contact.point(&foot.s)?;
-        // E* (g − d)²/2πa holds an edge.
+        // g − d = Δl holds an edge, and w grows as its square: E* (g − d)²/2πa on a half-space.
         let g = contact.tip.transform.g(&point.a)?;
-        let work = |d: f64| {
-            let missing = (g - d).max(0.0);
-            evaluation.numbers.e_star * missing * missing / (2.0 * std::f64::consts::PI * point.a)
-        };
+        let known = contact.elongation(&point.a)?;
+        let work = |d: f64| contact.numbers.work * ((g - d).max(0.0) / known).powi(2);
         let next = objective.rows.get(index + 1).filter(|next| next.at.part == row.at.part);
         let breaks = next.filter(|_| evaluation.labels[index + 1] == 0);
         let upper = breaks.map(|next| {
@@ -179,10 +177,15 @@ fn upper(fit: &Fit, problem: &Problem, index: usize, value: f64) -> Option<f64> 
         Some(rss)
     };
     // From far below: where E* and the range of X would be those of adhesion that is seen.
-    let e_star = fit.estimate("e_star").and_then(|estimate| estimate.value).or(problem.known(Kind::EffectiveModulus))?;
+    let of_modulus = problem.parameters.iter().find(|parameter| parameter.kind == Kind::EffectiveModulus)?;
+    let modulus = fit.estimate(&of_modulus.name).and_then(|estimate| estimate.value).or(of_modulus.value)?;
     let ends =
         fit.rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.x), high.max(row.x)]);
-    let scale = if problem.observation.has_depth() { e_star * (ends[1] - ends[0]) } else { value.max(1e-6) };
+    let scale = if problem.observation.has_depth() {
+        problem.work_of_length(modulus, ends[1] - ends[0])
+    } else {
+        value.max(1e-6)
+    };
     let mut low = if value > 0.0 { value } else { 1e-12 * scale };
     let mut high = None;
     for _ in 0..DECADES {

@@ -31,6 +31,7 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
             quantities.push(FitQuantity { name, label, value, stderr, unit });
         }
     };
+    let [force_unit, work_unit] = if problem.medium.force_unit() == "N" { ["N", "J"] } else { ["N/m", "J/m"] };
     let evaluation = &minimum.evaluation;
     let sheet = evaluation.breaking();
     let kinds = errors.kinds();
@@ -43,20 +44,26 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
             gradient[index] = contact.state_partial(*kind, &point)?[1] + moves;
         }
         let label = "adhesion force: the smallest force of the fitted curve";
-        add("adhesion_force", label, -point.f, Some(errors.stderr(&gradient)), "N");
+        add("adhesion_force", label, -point.f, Some(errors.stderr(&gradient)), force_unit);
     }
     let rows = retracted(fit, errors, minimum);
     let in_contact = || rows.iter().filter(|row| row.in_contact);
     let lowest = in_contact().map(|row| row.force).fold(f64::INFINITY, f64::min);
-    add("adhesion_force_measured", "adhesion force: the smallest force of a row in contact", -lowest, None, "N");
+    add("adhesion_force_measured", "adhesion force: the smallest force of a row in contact", -lowest, None, force_unit);
     if let Some(event) = &fit.predicted_pull_off
         && let Some(force) = event.force
     {
         let label = "force before the jump out of contact, of the fitted curve";
-        add("pull_off_force", label, -force, event.stderr.map(|stderr| stderr[2]), "N");
+        add("pull_off_force", label, -force, event.stderr.map(|stderr| stderr[2]), force_unit);
     }
     if let Some(force) = fit.measured_pull_off.as_ref().and_then(|event| event.force) {
-        add("pull_off_force_measured", "force of the last row before the jump out of contact", -force, None, "N");
+        add(
+            "pull_off_force_measured",
+            "force of the last row before the jump out of contact",
+            -force,
+            None,
+            force_unit,
+        );
     }
     if problem.observation.has_depth() {
         let label = match problem.observation.has_machine() {
@@ -64,7 +71,7 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
             false => "work of separation: adhesive force over depth, of the fitted curve",
         };
         if let Some(work) = separation(contact, arcs)? {
-            add("separation_work", label, work, None, "J");
+            add("separation_work", label, work, None, work_unit);
         }
         let pulled = |pair: &[Row]| {
             let mean = pair.iter().map(|row| (-row.force).max(0.0)).sum::<f64>() / 2.0;
@@ -73,7 +80,7 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
         let breaks = rows.iter().any(|row| row.in_contact) && rows.last().is_some_and(|row| !row.in_contact);
         if breaks {
             let work: f64 = rows.windows(2).map(pulled).sum();
-            add("separation_work_measured", "work of separation: of the rows in contact", work, None, "J");
+            add("separation_work_measured", "work of separation: of the rows in contact", work, None, work_unit);
         }
     }
     fit.quantities = quantities;

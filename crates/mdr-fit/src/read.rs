@@ -13,6 +13,7 @@ use mdr::files;
 use mdr::reading::Location;
 use mdr::reading::{self, Section, Value};
 use mdr::scene::Files;
+use mdr::scene::Medium;
 use mdr::scene::{MAX_DIGITS, Profile};
 use mdr::{Error, Result};
 
@@ -76,14 +77,7 @@ struct Curve<'c> {
 }
 
 fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
-    if let Some(medium) = top.optional("medium") {
-        let why = "fits are available on a homogeneous half-space only: leave [medium] out";
-        return Err(medium.refuse(why));
-    }
-    if let Some(medium) = top.optional("medium") {
-        let why = "fits are available on a homogeneous half-space only: leave [medium] out";
-        return Err(medium.refuse(why));
-    }
+    let medium = top.optional_section("medium")?;
     let shape = top.section("profile")?;
     let profile = Profile::read(&shape)?;
     if let Profile::Table(measured) = &profile {
@@ -91,20 +85,26 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     }
     let data = top.section("data")?;
     let observation = data.required("observation")?.choice("observation", &Observation::NAMES)?;
+    let pressed = medium.as_ref().map(Medium::read).transpose()?.unwrap_or_default();
     let (mask, saturation) = (data.optional("rows").filter(Value::is_table), data.optional("saturation"));
-    let (record, sigma) = rows_of(&data, observation, curve, mask.is_some())?;
+    let (record, sigma) = rows_of(&data, observation.units_on(&pressed), curve, mask.is_some())?;
     let times = times(&data, &record)?;
     let mut problem = Problem::with(profile, observation, record.rows, data.place())?;
+    if let Some(section) = &medium {
+        problem = problem.medium(pressed).map_err(|error| at(error, section.place()))?;
+    }
     (problem.sigma, problem.read) = (sigma, record.text);
     (problem.selection.missing, problem.selection.times) = (record.missing.len(), times);
     problem = picked(problem, &data, mask)?;
     if let Some(ends) = saturation {
-        let range = pair(&ends, data::si_unit(observation.units()[1]))?;
+        let range = pair(&ends, data::si_unit(problem.units()[1]))?;
         problem = problem.saturation(range).map_err(|error| at(error, ends.place()))?;
     }
     data.finish()?;
     if let Some(material) = top.optional_section("material")? {
-        for key in ["e_star", "work_of_adhesion"] {
+        let known =
+            if problem.has_modulus_of_medium() { &["work_of_adhesion"][..] } else { &["e_star", "work_of_adhesion"] };
+        for key in known {
             if let Some(value) = material.optional(key) {
                 if value.is_table() {
                     problem = each(problem, Some(value), WORK, Problem::fixed)?;
@@ -121,7 +121,7 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     problem = picked(problem, &fit, fit.optional("rows"))?;
     problem = unknowns(problem, &fit)?;
     if let Some(events) = top.optional_section("events")? {
-        let unit = data::si_unit(observation.units()[0]);
+        let unit = data::si_unit(problem.units()[0]);
         let [place, sigma] = [number(&events.required("pull_off")?, unit)?, number(&events.required("sigma")?, unit)?];
         problem = problem.pull_off(place, sigma).map_err(|error| at(error, events.place()))?;
         events.finish()?;
@@ -142,7 +142,7 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
 
 /// The keys of `[data]`, or of `[fit]`, that say which rows count: `legs`, and `rows` where it is a table.
 fn picked(mut problem: Problem, section: &Section<'_>, rows: Option<Value<'_>>) -> Result<Problem> {
-    let units = problem.observation().units().map(data::si_unit);
+    let units = problem.units().map(data::si_unit);
     if let Some(legs) = section.optional("legs") {
         let one = |leg: Leg| (leg.name(), Some(leg));
         if let Some(leg) = legs.choice("legs", &[("both", None), one(Leg::Approach), one(Leg::Retract)])? {
@@ -185,11 +185,10 @@ fn times(data: &Section<'_>, record: &Record) -> Result<Option<Vec<f64>>> {
 /// The table `[data]`: rows in a file beside it, or of the `curve` instead, or in it; and their standard deviations.
 fn rows_of(
     data: &Section<'_>,
-    observation: Observation,
+    bases: [&'static str; 2],
     curve: Option<Curve<'_>>,
     has_mask: bool,
 ) -> Result<(Record, [Option<f64>; 2])> {
-    let bases = observation.units();
     let mut columns = Columns::default();
     if let Some(value) = data.optional("columns") {
         let names = value.section()?;

@@ -1,6 +1,6 @@
 //! Which rows of a record count, its legs by number, and the time of each row.
 
-use super::observation::{Leg, Observation};
+use super::observation::Leg;
 use super::parameter::refuse;
 use super::problem::{DataRow, Moment, Problem};
 use mdr::Result;
@@ -93,12 +93,13 @@ pub(super) fn selected(problem: &Problem) -> Result<Problem> {
             selected.rows.len()
         )));
     }
-    let drift = match (times.is_some(), problem.observation == Observation::DeflectionOfPosition) {
-        (true, true) => ["m/s", "m/s"],
-        (true, false) => ["N/s", "m/s"],
-        (false, true) => ["m", "m"],
-        (false, false) => ["N", "m"],
+    let of_baseline = match (times.is_some(), problem.units()[1]) {
+        (true, "m") => "m/s",
+        (true, "N") => "N/s",
+        (true, _) => "N/(m s)",
+        (false, unit) => unit,
     };
+    let drift = [of_baseline, if times.is_some() { "m/s" } else { "m" }];
     for parameter in &mut selected.parameters {
         parameter.drift_unit = drift[usize::from(parameter.name == "position_drift")];
     }

@@ -119,6 +119,8 @@ fn possible(objective: &Objective<'_>, minimum: &Minimum) -> std::result::Result
         "with a slope or a drift"
     } else if minimum.evaluation.numbers.work == 0.0 {
         "without adhesion"
+    } else if !problem.medium.is_half_space() {
+        "on another medium than a half-space"
     } else if !matches!(problem.profile, Profile::Shape(_)) {
         "of a profile that is no shape of the library"
     } else {
@@ -187,7 +189,7 @@ impl<'a> Proof<'a> {
         for seed in 0..count {
             let numbers = self.numbers(fitted, seed);
             let free = self.objective.free_of_profile();
-            let tip = Tip::new(&problem.profile, self.precision, &numbers.profile, &free)?;
+            let tip = Tip::new(problem, self.precision, &numbers.profile, &free)?;
             let contact = Contact::new(&tip, numbers, problem.observation);
             let kinds: Vec<Kind> = (0..count).map(|place| self.objective.kind(place)).collect();
             for row in &self.rows {
