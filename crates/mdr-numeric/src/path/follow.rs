@@ -310,6 +310,15 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
 
     /// From a point contact to the next equilibrium at zero, from a branch on.
     fn jump_in(&mut self, zero: &R, branch: usize) -> Result<()> {
+        let flat = branch.checked_sub(1).and_then(|fold| Some((fold, self.branches.folds().get(fold)?)));
+        if let Some((fold, end)) = flat
+            && self.branches.compare(zero, end)? == Ordering::Equal
+        {
+            // Without adhesion the whole of a flat touches, and nothing is lost.
+            self.place = Position::Fold(fold);
+            self.enter(EventKind::Touch, zero, ContactState::Detached, at_fold(end), None);
+            return Ok(());
+        }
         match next_stable(self.branches, zero, Some(branch), Towards::Larger)? {
             Some((_, rest)) if !self.may_rest(zero, zero, &rest)? => {}
             Some((branch, rest)) => {

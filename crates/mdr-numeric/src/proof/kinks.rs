@@ -112,7 +112,8 @@ impl EnclosedCurve {
     pub(super) fn sign(&self, cell: &Interval, slopes: &Slopes<Interval>) -> Option<Ordering> {
         let threshold = self.plain.critical_ratio_at(cell);
         let ratio = |slope: &Interval| self.plain.tangency_of(slope.clone(), cell);
-        if slopes.greatest.as_ref().is_some_and(|greatest| ratio(greatest) < threshold) {
+        let holding = |greatest: &Interval| self.holding(ratio(greatest));
+        if slopes.greatest.as_ref().is_some_and(|greatest| holding(greatest) < threshold) {
             Some(Ordering::Less)
         } else if slopes.least.as_ref().is_some_and(|least| ratio(least) > threshold) {
             Some(Ordering::Greater)
