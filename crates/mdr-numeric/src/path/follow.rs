@@ -121,6 +121,8 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
             Position::Ended => return Ok(false),
             Position::Branch(branch) => branch,
             Position::Fold(fold) if self.is_maximum(fold) => fold,
+            // A flat has touched at this very value.
+            Position::Fold(_) if *target == self.value => return Ok(false),
             Position::Fold(fold) => {
                 self.place = Position::Branch(fold + 1);
                 return Ok(true);

@@ -99,13 +99,20 @@ impl EnclosedCurve {
         let Some(kink) = self.plain.transform().kink(index, &margin)? else { return Ok(None) };
         let around = radius.clone().inflate(&(margin * radius));
         let below = self.sign(&around, &kink.inside);
-        let above = self.sign(&around, &kink.outside);
+        let above = self.sign(&around, &kink.outside).or_else(|| self.rises_beyond_flat(&kink));
         let signs = match (below, above) {
             (Some(below), _) if self.is_vertical_edge(index) => (below, None),
             (Some(below), Some(above)) => (below, Some(above)),
             _ => return Ok(None),
         };
         Ok(Some(Known { kink, signs }))
+    }
+
+    /// Without adhesion contact is held beyond the end of a flat wherever g does not fall, also where g' begins with 0.
+    fn rises_beyond_flat(&self, kink: &Kink<Interval>) -> Option<Ordering> {
+        let flat = kink.inside.greatest.as_ref().is_some_and(|greatest| *greatest == greatest.lit(0));
+        let rises = flat && self.plain.adhesion().vanishes() && self.plain.transform().rises();
+        rises.then_some(Ordering::Greater)
     }
 
     /// The sign of the condition at all radii of a cell, from bounds of g'.
