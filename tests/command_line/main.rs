@@ -31,6 +31,7 @@ mod solve_costs;
 mod solve_paths;
 mod solve_statuses;
 mod solve_tables;
+mod sweeps;
 mod units;
 mod validity;
 mod verify;

@@ -269,6 +269,7 @@ fn for_reader(answer: &Answer) -> String {
     if answer.status.has_estimates() && answer.parameters.len() > 1 {
         parts.push(correlations(answer));
     }
+    parts.extend(answer.read.iter().map(|read| read.sentence()));
     parts.push(answer.quality());
     parts.push(answer.attempts());
     parts.extend(answer.events());

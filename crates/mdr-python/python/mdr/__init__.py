@@ -12,6 +12,7 @@ State(contact_radius=5.611652890227367e-07, indentation=-1.0496882720132389e-07,
 from typing import Final
 
 from . import _profiles
+from ._afmformats import AfmCurve, from_afmformats
 from ._contact import Contact, Control, Machine, Start
 from ._core import CERTIFIED
 from ._core import VERSION as __version__
@@ -34,7 +35,7 @@ __all__ = [
     "Contact", "Control", "Machine", "Start", "context", "critical_states", "effective_modulus", "jkr", "kappa",
     "Equilibria", "Event", "Fold", "LoadingPath", "State", "States", "Status", "Trace",
     "File", "Picture", "Solution", "solve",
-    "CertifiedEstimate", "Estimate", "Fit", "Interval", "fit",
+    "AfmCurve", "CertifiedEstimate", "Estimate", "Fit", "Interval", "fit", "from_afmformats",
     "Answer", "AnswerLike", "Mark", "Record", "Report", "judge", "record", "records",
     "DomainError", "Error", "FilterError", "InternalError", "NoConvergenceError", "NoEquilibriumError", "OutOfRangeError",
     "SceneError", "UndecidedError",
