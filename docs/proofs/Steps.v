@@ -499,7 +499,13 @@ Lemma prove_step_hysteresis_7 : step_hysteresis_7.
 Proof. unfold step_hysteresis_7. step. Qed.
 
 Lemma prove_step_hysteresis_8 : step_hysteresis_8.
-Proof. unfold step_hysteresis_8. step. Qed.
+Proof.
+  unfold step_hysteresis_8. intros n E w C kap t. intros. cbv zeta.
+  assert (pos_w : 0 < t ^ 2 * w) by (apply Rmult_lt_0_compat; [apply pow_lt |]; assumption).
+  assert (pos_n : 0 < n) by lra. assert (not_half : n <> 1 / 2) by lra.
+  pose proof (prove_step_work_jump_in_1 n E (t ^ 2 * w) C kap) as lost. cbv zeta in lost.
+  rewrite lost by assumption. field. lra.
+Qed.
 
 Lemma prove_step_kendall_1 : step_kendall_1.
 Proof. unfold step_kendall_1. intros. cbv zeta. unfold a_c, B, N. mono. Qed.
