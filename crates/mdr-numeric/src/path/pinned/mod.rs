@@ -53,7 +53,7 @@ impl<'a, R: Real, B: EquilibriumBranches<R>> Edges<'a, R, B> {
     /// let advancing = SearchedBranches::new(contact.at(Edge::Advancing))?;
     /// let receding = SearchedBranches::new(contact.at(Edge::Receding))?;
     /// let edges = Edges::new(&contact, &advancing, &receding);
-    /// // At d = −0.05 the radius 0.2 is held between −0.184 and −0.072.
+    /// // The radius 0.2 is held from d = −0.184 to −0.072.
     /// let (edge, state) = edges.first(&Start::Nearest(0.2), &-0.1)?;
     /// assert!(edge.is_none() && state.contact().is_some_and(|state| state.contact_radius == 0.2));
     /// let (edge, state) = edges.first(&Start::Nearest(0.2), &0.0)?;
