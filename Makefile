@@ -8,7 +8,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit python oracle jkr capi book site site-test site-tools
+.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit python nanite oracle jkr capi book site site-test site-tools nanite-tools
 
 verify: deps
 	cargo run --locked --release --package mdr-cli -- verify $(ARGS)
@@ -45,6 +45,14 @@ proofs:
 # The Python package: a wheel in target/wheels, installed below target/ and tested; skipped where pip cannot be had.
 python:
 	@sh scripts/python.sh
+
+# Models for nanite, files of afmformats, and sweeps with Dask, with the wheel of `make python`; skipped where they cannot be had.
+nanite:
+	@sh scripts/nanite.sh
+
+# What nanite needs, where it can be had.
+nanite-tools:
+	@sh scripts/nanite.sh --install
 
 # The explorer, target/book/explorer.html: the library as WebAssembly in one page; says what is missing where it cannot be built.
 site:

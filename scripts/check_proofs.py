@@ -1,10 +1,11 @@
 """Check docs/proofs with Coq and print the table entry, theorem, assumptions.
 
-The files are copied to target/proofs and compiled there. Then, from docs/proofs and, for theorems.tsv and left_out.tsv,
+The files are copied to target/proofs and compiled there. Then, from docs/proofs and, for the tables of theorems and steps,
 crates/mdr-symbolic/data, where `mdr derive` reads it:
   theorems.tsv     every theorem it names exists and has been checked; every theorem of the files is named
   assumptions.txt  no theorem rests on anything that is not listed there
   left_out.tsv     every statement of Statements.v that normal forms prove is proved in Steps.v or named here
+  by_theorem.tsv   the statements that StepTheorems.v proves besides, and the theorems they follow from
   mutants.tsv      a statement with one change in it is refused, at that statement and not elsewhere
 """
 
@@ -103,12 +104,13 @@ def assumptions(theorems, files):
 
 
 def steps_rest_on(lemmas):
-    """The axioms that the lemmas of Steps.v rest on together."""
-    asked = f"Require Import MDR.Steps.\nDefinition steps := ({', '.join(lemmas)}).\nPrint Assumptions steps.\n"
+    """The axioms that the lemmas of Steps.v and StepTheorems.v rest on together."""
+    asked = "Require Import MDR.Steps MDR.StepTheorems.\n"
+    asked += f"Definition steps := ({', '.join(lemmas)}).\nPrint Assumptions steps.\n"
     (BUILD / "AssumptionsOfSteps.v").write_text(asked)
     answer = coqc("AssumptionsOfSteps.v")
     if answer.returncode:
-        stop(f"a lemma of Steps.v is not there\n{answer.stderr}")
+        stop(f"a lemma of Steps.v or StepTheorems.v is not there\n{answer.stderr}")
     return {match[1] for match in re.finditer(r"^([A-Za-z][\w.]*)(?: :|$)", answer.stdout, re.M)}
 
 
@@ -129,14 +131,27 @@ def rest_on(theorems, files, stem):
     return found
 
 
+def stated_as(*verdicts):
+    """The names of the statements of Statements.v with one of these verdicts."""
+    return set(re.findall(rf"^\(\* (?:{'|'.join(verdicts)}) \*\)\nDefinition (\w+)", (SOURCE / "Statements.v").read_text(), re.M))
+
+
+def proved_in(file):
+    """The names of the statements that a file proves, in its order."""
+    return re.findall(r"^Lemma prove_(\w+) : \1\.$", code((SOURCE / file).read_text()), re.M)
+
+
 def steps():
-    """The lemmas of Steps.v, which prove the statements of Statements.v that normal forms prove, but for what is left out."""
-    stated = set(re.findall(r"^\(\* (?:proved|definition) \*\)\nDefinition (\w+)", (SOURCE / "Statements.v").read_text(), re.M))
-    proved = re.findall(r"^Lemma prove_(\w+) : \1\.$", code((SOURCE / "Steps.v").read_text()), re.M)
+    """The lemmas that prove statements of Statements.v: in Steps.v those that normal forms prove, but for what is left out, and
+    in StepTheorems.v those that have a theorem."""
+    stated, proved = stated_as("proved", "definition"), proved_in("Steps.v")
     left_out = {name for name, _ in table("left_out.tsv")}
     if stated != set(proved) | left_out or left_out & set(proved):
         stop(f"neither proved in Steps.v nor left out, or both: {sorted(stated ^ (set(proved) | left_out))}")
-    return [f"prove_{name}" for name in proved]
+    by_theorem, named = proved_in("StepTheorems.v"), {name for name, _ in table("by_theorem.tsv")}
+    if not set(by_theorem) == named == stated_as("theorem"):
+        stop(f"by_theorem.tsv, StepTheorems.v and Statements.v differ: {sorted(set(by_theorem) ^ named | named ^ stated_as('theorem'))}")
+    return [f"prove_{name}" for name in [*proved, *by_theorem]]
 
 
 def step_mutant(text, old, new):

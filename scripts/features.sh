@@ -27,4 +27,5 @@ mdr-fit toml
 mdr-fit mp
 mdr-plot
 mdr-plot fit
+mdr-provenance
 LIST

@@ -17,14 +17,16 @@ skip() {
 # Cargo for wasm32, by the first way that works: the target is installed, rustup installs it, or Debian's compiler builds the
 # standard library from its source.
 has_target() { [ -d "$(rustc --print sysroot)/lib/rustlib/$target/lib" ]; }
+# The library for WebAssembly alone: together with one for Rust, whole programs are not optimized, and it is 15 % larger.
+only="--lib --crate-type cdylib"
 command -v cargo >/dev/null || skip "there is no cargo, see https://rustup.rs"
 cd web
 if has_target || { command -v rustup >/dev/null && rustup target add $target >/dev/null 2>&1 && has_target; }; then
-    cargo build --locked --release --target $target
+    cargo rustc --locked --release --target $target $only
 elif [ -d "$(/usr/bin/rustc --print sysroot 2>/dev/null)/lib/rustlib/src/rust" ] && command -v wasm-ld >/dev/null; then
     # Unstable features are allowed for the standard library alone: the crates use none.
-    RUSTFLAGS="-C linker=wasm-ld" RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo build --release \
-        --target $target -Zbuild-std=std,panic_abort
+    RUSTFLAGS="-C linker=wasm-ld" RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo rustc --release \
+        --target $target -Zbuild-std=std,panic_abort $only
 else
     skip "rustup target add $target, or on Debian: apt-get install rustc-web cargo-web rust-web-src lld"
 fi
@@ -33,6 +35,7 @@ cd ..
 # One page: the style, the engine (gzipped, in base64) and the scripts stand where the page has their marks.
 parts=target/web/parts
 page=target/book/explorer.html
+scripts="engine scene parameters model plot pictures hysteresis body own page"
 mkdir -p $parts target/book
 for sheet in page figures; do
     echo "<style id=\"$sheet\">"
@@ -43,7 +46,9 @@ done >$parts/style
     printf '<script>window.MDR_ENGINE="'
     gzip -9 -n -c $CARGO_TARGET_DIR/$target/release/mdr_wasm.wasm | base64 | tr -d '\n'
     printf '";</script>\n<script>\n"use strict";\n'
-    for part in engine scene parameters model plot pictures hysteresis body own page; do cat web/explorer/$part.js; done
+    # Without its comments and indentation.
+    for part in $scripts; do cat web/explorer/$part.js; done |
+        sed -e 's/^[[:space:]]*//' -e '/^\/\//d' -e '/^\/\*\*.*\*\/$/d' -e '/^\/\*\*/,/\*\/$/d'
     echo '</script>'
 } >$parts/script
 sed -e "/^<!-- style -->$/{r $parts/style" -e 'd;}' -e "/^<!-- script -->$/{r $parts/script" -e 'd;}' \

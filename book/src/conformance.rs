@@ -26,14 +26,12 @@ impl Row {
 pub(crate) fn rows(document: &str) -> Vec<Row> {
     let cells = |line: &str| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect::<Vec<_>>();
     let rows = document.lines().filter(|line| line.starts_with('|')).map(cells);
-    rows.filter_map(|cells| match <[String; 6]>::try_from(cells.clone()) {
-        Ok([about, what, verdict, function, checks, tests]) => {
-            Some(Row { about, verdict, what, function, checks, tests })
-        }
-        Err(_) => {
-            let [what, verdict, function, checks, tests] = <[String; 5]>::try_from(cells).ok()?;
-            Some(Row { about: String::new(), verdict, what, function, checks, tests })
-        }
+    rows.filter_map(|mut cells| {
+        // Rows of the paper begin with an equation; others with what they are about.
+        let about = if cells[0].starts_with("(1.") { cells.remove(0) } else { String::new() };
+        let mut cells = cells.into_iter();
+        let [what, verdict, function, checks, tests] = std::array::from_fn(|_| cells.next());
+        Some(Row { about, what: what?, verdict: verdict?, function: function?, checks: checks?, tests: tests? })
     })
     .collect()
 }

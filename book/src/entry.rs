@@ -235,6 +235,8 @@ fn place(step: &StepJudgement) -> String {
             let place = if everywhere { String::new() } else { format!("for {}, ", domains.join(" and ")) };
             format!("{place}certain at {} of {} random points: no proof", step.certain, step.points)
         }
+        Verdict::Theorem if everywhere => "by Coq".to_owned(),
+        Verdict::Theorem => format!("by Coq, for {}", domains.join(" and ")),
         Verdict::Refuted => format!("for {}, by exact algebra and at a point", domains.join(" and ")),
         _ if everywhere => "by exact algebra".to_owned(),
         _ => format!("by exact algebra, for {}", domains.join(" and ")),

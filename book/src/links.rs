@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::markdown::anchor;
 
 /// The documents that are pages of the book: the file, the page, the part of the contents.
-pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 20] = [
+pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 21] = [
     ("docs/validity.md", "validity", Shelf::Front),
     ("docs/theory.md", "theory", Shelf::Front),
     ("docs/figures.md", "figures", Shelf::Front),
@@ -21,6 +21,7 @@ pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 20] = [
     ("docs/compare.md", "compare", Shelf::Numbers),
     ("docs/bugs-found.md", "bugs-found", Shelf::Numbers),
     ("docs/conformance.md", "conformance", Shelf::Numbers),
+    ("docs/soundness.md", "soundness", Shelf::Numbers),
     ("docs/proofs/README.md", "proofs", Shelf::Numbers),
     ("docs/scenes.md", "scenes", Shelf::Program),
     ("docs/fit.md", "fit", Shelf::Program),

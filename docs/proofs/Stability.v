@@ -208,13 +208,14 @@ Qed.
 End AnyProfile.
 
 (** (1.4) once more by Irwin: a pressure that is -EΔ/(π sqrt (a² - r²)) and a bounded part has at the edge of the contact the
-    stress intensity K = EΔ/sqrt (πa), and K²/(2E) is the work of adhesion exactly if Δ = Δl(a). *)
-Theorem eq_1_4_irwin E w a D (q : R -> R) M : 0 < E -> 0 < w -> 0 < a -> 0 <= D -> (forall r, 0 < r < a -> Rabs (q r) <= M) ->
+    stress intensity K = EΔ/sqrt (πa), and K²/(2E) is the work of adhesion exactly if Δ = Δl(a). The part needs to be bounded near the edge
+    only, from some radius b on: sharp tips press without bound in the middle. *)
+Theorem eq_1_4_irwin E w a b D (q : R -> R) M : 0 < E -> 0 < w -> 0 < a -> b < a -> 0 <= D -> (forall r, b < r < a -> Rabs (q r) <= M) ->
   let K := E * D / sqrt (PI * a) in
   filterlim (fun r => sqrt (2 * PI * (a - r)) * (E * D / (PI * sqrt (a^2 - r^2)) + q r)) (at_left a) (locally K) /\
   (K^2 / (2 * E) = w <-> D = dl E w a).
 Proof.
-  intros HE Hw Ha HD Hq K. pose proof PI_RGT_0 as Hpi. split.
+  intros HE Hw Ha Hb HD Hq K. pose proof PI_RGT_0 as Hpi. split.
   - set (h := fun r => E * D / PI * sqrt (2 * PI / (a + r))).
     assert (HK : h a = K).
     { unfold h, K. replace (2 * PI / (a + a)) with (PI / a) by (field; lra).
@@ -233,9 +234,10 @@ Proof.
         apply (continuous_comp (fun r => 2 * PI * (a - r)) sqrt). 2: apply continuous_sqrt.
         apply (ex_derive_continuous (V := R_NormedModule)). auto_derive. auto. }
     apply filterlim_locally. intros eps. pose proof (proj1 (filterlim_locally e (e a)) Hc eps) as [del Hd].
-    assert (Hm : 0 < Rmin del a) by (apply Rmin_glb_lt; [apply cond_pos | auto]).
-    exists (mkposreal _ Hm). intros r Hr Hra. change (Rabs (r - a) < Rmin del a) in Hr.
-    pose proof (Rmin_l del a). pose proof (Rmin_r del a). apply Rabs_def2 in Hr.
+    assert (Hm : 0 < Rmin del (Rmin a (a - b))) by (repeat apply Rmin_glb_lt; [apply cond_pos | auto | lra]).
+    exists (mkposreal _ Hm). intros r Hr Hra. change (Rabs (r - a) < Rmin del (Rmin a (a - b))) in Hr.
+    pose proof (Rmin_l del (Rmin a (a - b))). pose proof (Rmin_r del (Rmin a (a - b))).
+    pose proof (Rmin_l a (a - b)). pose proof (Rmin_r a (a - b)). apply Rabs_def2 in Hr.
     assert (Hr2 : Rabs (r - a) < del) by (apply Rabs_def1; lra).
     specialize (Hd r Hr2). rewrite He0 in Hd. change (Rabs (e r - 0) < eps) in Hd.
     change (Rabs (sqrt (2 * PI * (a - r)) * (E * D / (PI * sqrt (a^2 - r^2)) + q r) - K) < eps).

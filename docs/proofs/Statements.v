@@ -156,7 +156,7 @@ Definition step_1_11_4 : Prop :=
   forall (n E w C kap : R), 0 < n < 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> (let a := (a_0 n E w C kap) in Derive (fun a => (d_n n E w C kap a)) a) < 0.
 
 (** ** 1.12: The transform of a power law and its factor *)
-(* sampled *)
+(* theorem *)
 Definition step_1_12_1 : Prop :=
   forall (n : R) (Gamma : R -> R), 0 < n -> is_Gamma Gamma -> (n + 1) * RInt (fun theta => Rpower (sin theta) (n + 1)) 0 (PI / 2) = sqrt PI / 2 * n * Gamma (n / 2) / Gamma ((n + 1) / 2).
 (* proved *)
@@ -193,12 +193,12 @@ Definition step_kappa_growth_1 : Prop :=
 (* proved *)
 Definition step_kappa_growth_2 : Prop :=
   forall (n eps : R), 0 < n -> 0 < eps -> 2 / n - 2 / (n + eps) > 0.
-(* sampled *)
+(* theorem *)
 Definition step_kappa_growth_3 : Prop :=
   forall (n : R), 0 < n -> Definitions.kappa (n + 1) > Definitions.kappa n.
 
 (** ** kappa-series: Series for κ without the Gamma function *)
-(* sampled *)
+(* theorem *)
 Definition step_kappa_series_1 : Prop :=
   forall (n : R) (Gamma : R -> R), 0 < n -> is_Gamma Gamma -> KappaSeries.f n (1 + n / 2) = (kappa_gamma n Gamma).
 (* proved *)
@@ -237,34 +237,34 @@ Definition step_kappa_series_12 : Prop :=
 
 (** ** kappa-elliptic: κ by an arithmetic-geometric mean *)
 (* step_kappa_elliptic_1: cited *)
-(* sampled *)
+(* theorem *)
 Definition step_kappa_elliptic_2 : Prop :=
   forall (n : R), 0 < n -> RInt (fun theta => 1 / sqrt ((cos theta) ^ 2 + n ^ 2 * (sin theta) ^ 2)) 0 (PI / 2) = PI / (2 * Agm.agm 1 n).
-(* agrees *)
+(* theorem *)
 Definition step_kappa_elliptic_3 : Prop :=
   Definitions.kappa (1 / 2) = PI / (2 * Agm.agm 1 (sqrt 2)).
-(* agrees *)
+(* theorem *)
 Definition step_kappa_elliptic_4 : Prop :=
   Definitions.kappa (1 / 3) = PI / (Rpower 3 (1 / 4) * Agm.agm 2 (sqrt (2 + sqrt 3))).
-(* agrees *)
+(* theorem *)
 Definition step_kappa_elliptic_5 : Prop :=
   Definitions.kappa (1 / 4) = PI * (1 + sqrt 2) / (4 * Agm.agm 1 (1 + sqrt 2)).
 (* sampled *)
 Definition step_kappa_elliptic_6 : Prop :=
   forall (n : R), 0 < n < 1 / 2 -> Definitions.kappa (1 - n) = Definitions.kappa n * (1 - n) / n * sin (PI * n) / (2 - 2 * (sin (PI * n / 2)) ^ 2).
-(* agrees *)
+(* theorem *)
 Definition step_kappa_elliptic_7 : Prop :=
   Definitions.kappa (2 / 3) = 2 * Definitions.kappa (1 / 3) / sqrt 3.
-(* agrees *)
+(* theorem *)
 Definition step_kappa_elliptic_8 : Prop :=
   Definitions.kappa (3 / 4) = 3 * Definitions.kappa (1 / 4) / (1 + sqrt 2).
 (* proved *)
 Definition step_kappa_elliptic_9 : Prop :=
   forall (n : R), 0 < n -> Definitions.kappa (n + 1) = PI * (n + 1) / (2 * Definitions.kappa n).
-(* sampled *)
+(* theorem *)
 Definition step_kappa_elliptic_10 : Prop :=
   forall (n : R), 0 < n < 1 / 2 -> Agm.agm (1 + n) (1 - n) < 1 - n ^ 2 / 4.
-(* sampled *)
+(* theorem *)
 Definition step_kappa_elliptic_11 : Prop :=
   forall (n : R), 0 < n < 1 / 2 -> Agm.agm (1 + n) (1 - n) > 1 - n ^ 2 / 4 - n ^ 4 / 4.
 
@@ -360,7 +360,7 @@ Definition step_critical_indentation_4 : Prop :=
 (* proved *)
 Definition step_critical_indentation_5 : Prop :=
   forall (n E w C kap : R), 0 < n -> n <> 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> (a_z n E w C kap) / (a_c n E w C kap) = Rpower (4 * (n + 1) ^ 2) (1 / (2 * n - 1)).
-(* sampled *)
+(* theorem *)
 Definition step_critical_indentation_6 : Prop :=
   forall (n : R), 0 < n < 1 / 2 -> Rpower (4 * (n + 1) ^ 2) (1 / (2 * n - 1)) < 1.
 (* proved *)
@@ -374,13 +374,13 @@ Definition step_1_18_1 : Prop :=
 (* proved *)
 Definition step_1_18_2 : Prop :=
   forall (n E w C kap a : R), n = 1 / 2 -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> 0 < a -> kap * C * Rpower a n / (dl E w a) = kap * C / sqrt (2 * PI * w / E).
-(* agrees *)
+(* theorem *)
 Definition step_1_18_3 : Prop :=
   Definitions.kappa (1 / 2) = PI / (2 * Agm.agm 1 (sqrt 2)).
-(* enclosed *)
+(* theorem *)
 Definition step_1_18_4 : Prop :=
   Definitions.kappa (1 / 2) > 2621 / 2000.
-(* enclosed *)
+(* theorem *)
 Definition step_1_18_5 : Prop :=
   Definitions.kappa (1 / 2) < 2623 / 2000.
 
@@ -397,13 +397,13 @@ Definition step_1_19_3 : Prop :=
 (* proved *)
 Definition step_1_19_4 : Prop :=
   forall (n E w kap a t : R), n = 1 / 2 -> 0 < E -> 0 < w -> 0 < kap -> 0 < a -> 0 < t -> (let rho := 1 - t in let C := (C_rho E w kap rho) in (d_n n E w C kap a)) < 0.
-(* agrees *)
+(* theorem *)
 Definition step_1_19_5 : Prop :=
   1 / Definitions.kappa (1 / 2) = 2 * Agm.agm 1 (sqrt 2) / PI.
-(* enclosed *)
+(* theorem *)
 Definition step_1_19_6 : Prop :=
   1 / Definitions.kappa (1 / 2) > 3051 / 4000.
-(* enclosed *)
+(* theorem *)
 Definition step_1_19_7 : Prop :=
   1 / Definitions.kappa (1 / 2) < 15257 / 20000.
 
@@ -420,10 +420,10 @@ Definition step_threshold_force_3 : Prop :=
 (* proved *)
 Definition step_threshold_force_4 : Prop :=
   forall (n E w kap a t : R), n = 1 / 2 -> 0 < E -> 0 < w -> 0 < kap -> 0 < a -> 0 < t -> (let rho := 3 + t in let C := (C_rho E w kap rho) in Derive (fun a => (F_n n E w C kap a)) a) > 0.
-(* enclosed *)
+(* theorem *)
 Definition step_threshold_force_5 : Prop :=
   3 / Definitions.kappa (1 / 2) > 228827929 / 100000000.
-(* enclosed *)
+(* theorem *)
 Definition step_threshold_force_6 : Prop :=
   3 / Definitions.kappa (1 / 2) < 22882793 / 10000000.
 
@@ -612,10 +612,10 @@ Definition step_work_jump_in_4 : Prop :=
 (* proved *)
 Definition step_kendall_1 : Prop :=
   forall (n E w kap Rad delta : R), 1 / 2 < n -> 0 < E -> 0 < w -> 0 < kap -> 0 < Rad -> 0 < delta -> (let C := delta * Rpower Rad (- n) in (a_c n E w C kap)) = Rad * Rpower ((B E w) * Rad / (n ^ 2 * kap ^ 2 * delta ^ 2)) (1 / (2 * n - 1)).
-(* sampled *)
+(* theorem *)
 Definition step_kendall_2 : Prop :=
   forall (n : R), 0 < n -> (Definitions.kappa n) ^ 2 > PI * n / 2.
-(* sampled *)
+(* theorem *)
 Definition step_kendall_3 : Prop :=
   forall (n : R), 0 < n -> (Definitions.kappa n) ^ 2 < PI * (n + 1) / 2.
 (* proved *)
@@ -635,7 +635,7 @@ Definition step_kendall_8 : Prop :=
   forall (n E w kap Rad delta : R), 1 / 2 < n -> 0 < E -> 0 < w -> kap = Definitions.kappa n -> 0 < Rad -> 0 < delta -> n = 10000 -> E = 1 -> w = 1 -> Rad = 1 -> delta = 1 -> (let C := delta * Rpower Rad (- n) in (F_c n E w C kap)) > - (999 / 1000 * sqrt (8 * PI * Rad ^ 3 * E * w)).
 
 (** ** wavy: A paraboloid with waves *)
-(* sampled *)
+(* theorem *)
 Definition step_wavy_1 : Prop :=
   forall (z : R), 0 < z -> RInt (fun theta => sin (z * (sin theta))) 0 (PI / 2) = PI / 2 * Profiles.struve z.
 (* proved *)
@@ -714,10 +714,10 @@ Definition step_line_contact_3 : Prop :=
 (* proved *)
 Definition step_line_contact_4 : Prop :=
   forall (E w Rad : R), 0 < E -> 0 < w -> 0 < Rad -> (let C := 1 / (2 * Rad) in let n := 2 in let kap := Definitions.kappa n in let kap := PI / 2 in E * (d_c n E w C kap)) ^ 3 = - (27 / 16 * PI * E * w ^ 2 * Rad).
-(* enclosed *)
+(* theorem *)
 Definition step_line_contact_5 : Prop :=
   4 * Definitions.kappa (1 / 2) / PI > 16692536833 / 10000000000.
-(* enclosed *)
+(* theorem *)
 Definition step_line_contact_6 : Prop :=
   4 * Definitions.kappa (1 / 2) / PI < 8346268417 / 5000000000.
 (* proved *)

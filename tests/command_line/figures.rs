@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::{mdr, output};
+use crate::{mdr, output, without_program};
 
 const FIGURES: [&str; 5] = ["figure-1a", "figure-1b", "figure-2", "figure-3", "figure-4"];
 
@@ -20,7 +20,7 @@ fn files(name: &str) -> BTreeMap<String, String> {
     let path = directory(name);
     output(&format!("figures --out {}", path.display()));
     let entries = std::fs::read_dir(&path).unwrap().map(Result::unwrap);
-    let read = |entry: std::fs::DirEntry| std::fs::read_to_string(entry.path()).unwrap();
+    let read = |entry: std::fs::DirEntry| without_program(&std::fs::read_to_string(entry.path()).unwrap());
     entries.map(|entry| (entry.file_name().into_string().unwrap(), read(entry))).collect()
 }
 

@@ -19,6 +19,7 @@ mod judge;
 mod plot;
 mod power_laws;
 mod precision;
+mod provenance;
 mod reader;
 mod readme;
 mod records;
@@ -31,6 +32,7 @@ mod solve_costs;
 mod solve_paths;
 mod solve_statuses;
 mod solve_tables;
+mod sweeps;
 mod units;
 mod validity;
 mod verify;
@@ -50,10 +52,27 @@ fn mdr(arguments: &str) -> Command {
     Command::new(env!("CARGO_BIN_EXE_mdr")).args(arguments.split_whitespace()).current_dir(root())
 }
 
-/// The standard output of a successful `mdr`.
+/// The standard output of a successful `mdr`, without the program that it names: no golden depends on a commit.
 fn output(arguments: &str) -> String {
+    without_program(&raw(arguments))
+}
+
+/// The standard output of a successful `mdr`, as it is.
+fn raw(arguments: &str) -> String {
     let assert = mdr(arguments).assert().success().stderr_eq("");
     String::from_utf8(assert.get_output().stdout.clone()).unwrap()
+}
+
+/// JSON, CSV or SVG without the release and the commit of the program.
+fn without_program(text: &str) -> String {
+    let mut text = text.to_owned();
+    for (start, end) in [("\"program\":\"mdr ", "\","), ("<metadata>mdr ", "</metadata>"), ("# mdr ", "\n")] {
+        while let Some(at) = text.find(start) {
+            let length = text[at..].find(end).unwrap() + end.len();
+            text.replace_range(at..at + length, "");
+        }
+    }
+    text
 }
 
 /// The answer of `mdr critical`.

@@ -57,9 +57,14 @@ fn tables_to_copy() {
     let published = |extension: &str| {
         std::fs::read_to_string(crate::root().join(format!("docs/reference/jkr-sphere.{extension}"))).unwrap()
     };
-    for (flags, extension) in
-        [("--format csv", "csv"), ("--format json", "json"), ("--language c", "h"), ("--language python", "py")]
-    {
+    for (flags, extension) in [
+        ("--format csv", "csv"),
+        ("--format json", "json"),
+        ("--language c", "h"),
+        ("--language python", "py"),
+        ("--language fortran", "f90"),
+        ("--language julia", "jl"),
+    ] {
         assert_eq!(output(&format!("reference --table jkr-sphere {flags}")), published(extension), "{flags}");
         let file = std::env::temp_dir().join(format!("mdr-table-{}.{extension}", std::process::id()));
         let said = output(&format!("reference --table jkr-sphere --export {}", file.display()));
@@ -71,7 +76,7 @@ fn tables_to_copy() {
         ("--table jkr", "error: --table: must be one of jkr-sphere, got jkr\n"),
         (
             "--table jkr-sphere --export table.xls",
-            "error: --export: must end in .csv, .json, .h or .py, got table.xls\n",
+            "error: --export: must end in .csv, .json, .h, .py, .f90 or .jl, got table.xls\n",
         ),
     ] {
         mdr(&format!("reference {refused}")).assert().code(2).stdout_eq("").stderr_eq(why);

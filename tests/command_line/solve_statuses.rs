@@ -95,7 +95,7 @@ fn a_work_of_nothing() {
         assert!(answer["balance"]["work"].is_null() && answer["balance"]["status"] == "undecided", "{answer}");
         let assert = mdr(&format!("solve - {flags}")).stdin(scene).assert().success();
         let text = String::from_utf8(assert.get_output().stdout.clone()).unwrap();
-        assert!(text.contains("work of the control undecided (zero up to the rounding"), "{text}");
+        assert!(text.contains("work of the control undecided (") && text.contains("zero"), "{text}");
     }
 }
 

@@ -3,7 +3,7 @@
 /** Radius, depth, and how far the body has come down, of a state that may be apart or in contact everywhere. */
 function placed(state, everywhere) {
   const a = [0, state.a, everywhere][state.kind];
-  const d = Number.isFinite(state.d) ? state.d : -0.5 * body.now[3];
+  const d = Number.isFinite(state.d) ? state.d : -0.3 * body.now[3];
   return { a, d, drop: state.kind === 0 ? Math.min(d, 0) : d };
 }
 const mirrored = (points) => [...points.map(([r, z]) => [-r, z]).reverse(), ...points];

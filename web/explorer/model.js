@@ -6,13 +6,14 @@ let folds = [];
 let range = [-1, 1];
 let reach = 2;
 let degenerate = false;
-let dimple = false; // whether a part of the profile is below its tip
 let S = { kind: 1, a: 1, d: 0, F: 0 }; // kind: 0 apart, 1 in contact, 2 in contact everywhere; poised: on an unstable equilibrium
 let trail = []; // {points: [d, F, a], jump, area, lost, kind}
 let lostTotal = 0;
 let jumps = 0;
 let unbounded = false;
 let way = { start: S, points: [0] }; // from where, and the values at which the control turned round
+let leg = { from: S, at: 0, before: [[], 0, 0, false] }; // from the last of them, and trail, loss and jumps before it
+let ended = ''; // how the way came to an end, if it did
 let anim = null;
 let probe = null; // the radius at which the edge is held by hand
 let playing = 0;
@@ -84,7 +85,6 @@ function rebuild() {
       .map((e) => e[0])
       .pop() || 0;
   reach = Math.min(Math.max(1.25, 1.2 * Math.min(largest, 5), ...seen.map((f) => Math.min(1.3 * f.a, 6))), edge);
-  dimple = P.shape === 'table' && engine.surface(0, 0, edge, 200).some((r) => r[1] < 0);
   redraw.curve = true;
   return true;
 }
@@ -121,33 +121,34 @@ function relaxed(a, excess) {
   return excess > 0 ? away() : complete();
 }
 function clearTrail() {
-  trail = [];
-  lostTotal = 0;
-  jumps = 0;
-  unbounded = false;
   way = { start: S, points: [value] };
+  ended = '';
+  begin([], 0, 0, false);
 }
-/** The curve of equilibria between two radii, as points [d, F, a]. */
+/** A leg of the way begins at the state and the value that there are: what came before it is kept as it is. */
+function begin(...before) {
+  leg = { from: S, at: value, before };
+  [trail, lostTotal, jumps, unbounded] = before;
+}
+/** The curve of equilibria between two radii, as points [d, F, a]. Those of a leg are asked for again and again. */
 function along(from, to) {
+  const key = `${from} ${to}`;
+  if (along.contact !== opened) along.known = new Map();
+  along.contact = opened;
+  if (!along.known.has(key)) {
+    if (along.known.size > 200) along.known.clear();
+    along.known.set(key, between(from, to));
+  }
+  return along.known.get(key);
+}
+function between(from, to) {
   const count = Math.round(
     within((120 * Math.abs(Math.sqrt(to) - Math.sqrt(from))) / Math.sqrt(reach), [2, P.shape === 'table' ? 40 : 90]),
   );
   const points = engine.curve(Math.max(Math.min(from, to), 1e-9), Math.max(from, to), count).map((r) => [r[3], r[4], r[0]]);
   return from < to ? points : points.reverse();
 }
-function smooth(points) {
-  const last = trail[trail.length - 1];
-  if (!last || last.jump) return void trail.push({ points });
-  last.points.push(...points);
-  if (last.points.length > 4000) last.points.splice(0, 1000);
-}
-/** The control has come to a value: a way point where it turns round. */
-function walk(from, to) {
-  const points = way.points;
-  const forward = points.length > 1 && Math.sign(to - from) === Math.sign(points[points.length - 1] - points[points.length - 2]);
-  if (forward) points[points.length - 1] = to;
-  else points.push(to);
-}
+const smooth = (points) => trail.push({ points });
 
 // ---------------------------------------------------------------- moves
 /** Moves the control to `to`; its time counts with that of the next frame. */
@@ -156,7 +157,8 @@ function move(to) {
   moveTo(to);
   spent += performance.now() - start;
 }
-/** The same, event by event. */
+/** Follows the leg from where the control turned round to `to`, as `mdr solve` follows the way: the library finds every event and
+ * every state. */
 function moveTo(to) {
   to = within(to, range);
   finish();
@@ -166,43 +168,48 @@ function moveTo(to) {
     return request();
   }
   if (S.poised) return nudge(to);
-  const next = quiet(to);
-  if (next) {
-    if (next.kind) smooth(along(S.a, next.a));
-    else if (P.control !== 'F') smooth([value, to].map((v) => [v, 0, 0]));
-    walk(value, to);
-    value = to;
-    S = next.kind ? next : away();
-    return request();
-  }
-  const events = engine.advance(S.kind ? S.a : -1, value, to);
-  if (!events) {
-    value = to;
-    S = settle('nearest', S.a || 1e-3);
-    clearTrail();
-    return request();
-  }
-  const [at, arrived, jumpedFrom] = follow(events, to);
-  walk(value, arrived);
+  const points = way.points;
+  const last = points[points.length - 1];
+  const forward = points.length > 1 && Math.sign(to - value) === Math.sign(last - leg.at);
+  if (ended && forward) return request();
+  if (!forward) turnRound();
+  const events = engine.advance(leg.from.kind === 1 ? leg.from.a : -1, leg.at, to);
+  if (!events) return restart(to);
+  if (forward) points[points.length - 1] = to;
+  else points.push(to);
+  const known = forward ? jumps : leg.before[2];
+  const [at, arrived, jumpedFrom] = follow(events, to, known);
   value = arrived;
   if (jumpedFrom && !reduced.matches) anim = { from: { ...jumpedFrom }, to: at, start: performance.now(), time: 420 };
   S = at.kind === 0 ? away() : at;
+  return request();
+}
+/** The control turns round: a new leg. A way that came to an end turns just before it. */
+function turnRound() {
+  if (ended) {
+    value -= Math.sign(way.points[way.points.length - 1] - leg.at) * 1e-9 * (range[1] - range[0]);
+    way.points[way.points.length - 1] = value;
+    if (S.kind === 0) S = away();
+    ended = '';
+  }
+  begin([...trail], lostTotal, jumps, unbounded);
+}
+/** Where the library has no way from here: at rest at `to`, with its words. */
+function restart(to) {
+  const why = words();
+  value = to;
+  S = settle('nearest', S.a || 1e-3);
+  clearTrail();
+  note = `No way leads there from this state: ${why}.`;
   request();
 }
-/** The state at `to` where nothing happens on the way: apart before the first touch; or on the same branch between two folds,
- * on which a value comes once, where g stays above d beyond the edge, so that the surfaces are apart there. Null where the
- * engine has to follow. */
-function quiet(to) {
-  if (S.kind === 0 && Math.max(value, to) < 0 && !dimple) return S;
-  if (S.kind !== 1 || redraw.curve) return null;
-  const below = (a) => folds.filter((f) => f.a < a).length;
-  const next = engine.equilibria(to).find((e) => e[3] > 0 && below(e[0]) === below(S.a));
-  if (!next || equilibriumCurve.some((r) => r[0] > Math.min(next[0], S.a) && r[1] < Math.max(next[1], S.d))) return null;
-  return contactState(next);
-}
-/** The events of a path: the last state, the value it is reached at, and the state that the first jump left. */
-function follow(events, to) {
-  let at = { ...S };
+/** The events of a leg: the last state, the value it is reached at, and the state that the last new jump left; `known` jumps
+ * have been told. */
+function follow(events, to, known) {
+  [, lostTotal, jumps, unbounded] = leg.before;
+  trail = [...leg.before[0]];
+  let at = { ...leg.from };
+  let from = leg.at;
   let jumpedFrom = null;
   for (const [number, v, a, d, F, a1, d1, F1, lost] of events) {
     const kind = KINDS[number];
@@ -210,18 +217,16 @@ function follow(events, to) {
     const after = told(a1, d1, F1);
     if (kind === 'touch') after.kind = 1; // at a point, a = 0
     if (at.kind === 1 && before.kind === 1) smooth(along(at.a, before.a));
-    else if (at.kind === 0 && P.control !== 'F')
-      smooth([
-        [Math.min(value, 0), 0, 0],
-        [Math.min(v, 0), 0, 0],
-      ]);
+    else if (at.kind === 0 && P.control !== 'F') smooth([from, v].map((x) => [Math.min(x, 0), 0, 0]));
     if (['jump', 'jump-in', 'detached', 'complete'].includes(kind)) {
-      leap(kind, v, before, after, lost);
-      jumpedFrom = jumpedFrom || before;
+      const words = leap(kind, v, before, after, lost);
+      if (jumps > known) [note, jumpedFrom] = [words, before];
     }
     at = after.kind === 2 ? complete(before.d, before.F) : after;
+    from = v;
     if (ENDS[kind]) {
       note = ENDS[kind];
+      ended = kind;
       return [at, v, jumpedFrom];
     }
   }
@@ -242,7 +247,7 @@ function nudge(to) {
   clearTrail();
   request();
 }
-/** Records a jump, the area that it loses in the plane of force and depth, and says what happened. */
+/** Records a jump and the area that it loses in the plane of force and depth; what happened, in words. */
 function leap(kind, v, before, after, lost) {
   const [from, to] = [kind === 'jump-in' ? 0 : before.a, after.kind === 1 ? after.a : 0];
   const start = kind === 'jump-in' ? [0, 0, 0] : [before.d, before.F, before.a];
@@ -253,7 +258,7 @@ function leap(kind, v, before, after, lost) {
   jumps += 1;
   if (Number.isFinite(lost)) lostTotal += lost;
   else unbounded = true;
-  note = {
+  return {
     jump: `The curves touched. The contact jumped from a = ${len(before.a)} to ${len(after.a)}.`,
     'jump-in': `They touched, and the contact jumped to a = ${len(to)}.`,
     detached:
@@ -269,6 +274,7 @@ function finish() {
 /** The edge is let go. */
 function release() {
   if (!probe) return;
+  remember('edge');
   const here = engine.at(value, probe);
   const from = { kind: 1, a: probe, d: value, F: 0 };
   S = here ? relaxed(probe, here[1] - here[2]) : S;
@@ -278,9 +284,39 @@ function release() {
   request();
 }
 
+// ---------------------------------------------------------------- back
+const past = [];
+/** Keeps the state before something is done; what goes on, such as a slider that is dragged, is one step back. */
+function remember(what) {
+  const now = performance.now();
+  const goesOn = what === remember.what && now - remember.when < 900;
+  Object.assign(remember, { what, when: now });
+  if (goesOn) return;
+  const story = { S, value, leg, trail, lostTotal, jumps, unbounded, ended, origin, note };
+  past.push({ ...story, P: { ...P }, way: { start: way.start, points: [...way.points] } });
+  if (past.length > 100) past.shift();
+}
+/** One step back, with the way that led there. */
+function undo() {
+  const before = past.pop();
+  stop();
+  finish();
+  probe = null;
+  remember.what = '';
+  if (!before) return;
+  const { graph } = P;
+  P = before.P;
+  if (P.graph !== graph) turn(P.graph);
+  rebuild();
+  ({ S, value, leg, trail, lostTotal, jumps, unbounded, ended, origin, note, way } = before);
+  markPreset();
+  sync();
+}
+
 // ---------------------------------------------------------------- changes
 /** New parameters, the control held: the contact goes where the direction of change takes it. What is refused is taken back. */
 function change(parameters) {
+  remember(Object.keys(parameters).join());
   const before = S;
   const kept = { ...P };
   stop();
@@ -309,6 +345,7 @@ function change(parameters) {
 let origin = { value: 0, start: 'largest' };
 function preset(index) {
   const [, { v, start = 'largest', ...parameters }, text] = PRESETS[index];
+  if (good) remember(`preset ${index}`);
   stop();
   finish();
   probe = null;
@@ -323,11 +360,13 @@ function preset(index) {
   clearTrail();
   origin = { value, start };
   $('note').textContent = text;
-  [...$('presets').children].forEach((b, i) => set(b, { 'aria-pressed': i === index }));
+  markPreset(index);
   sync();
   request();
 }
+const markPreset = (index = -1) => [...$('presets').children].forEach((b, i) => set(b, { 'aria-pressed': i === index }));
 function startAgain() {
+  remember('again');
   stop();
   finish();
   probe = null;
@@ -344,7 +383,8 @@ function address() {
     if (k === 'table') return packTable(unpackTable(P.table), 6);
     return typeof P[k] === 'number' ? +P[k].toPrecision(6) : P[k];
   };
-  const skipped = (k) => P[k] === DEFAULTS[k] || (k === 'table' && P.shape !== 'table') || (k in OWN && P.unit !== 'own');
+  const ofTable = (k) => k === 'table' || k === 'smooth';
+  const skipped = (k) => P[k] === DEFAULTS[k] || (ofTable(k) && P.shape !== 'table') || (k in OWN && P.unit !== 'own');
   const parts = Object.keys(DEFAULTS)
     .filter((k) => !skipped(k))
     .map((k) => `${k}=${written(k)}`);
@@ -352,15 +392,21 @@ function address() {
   parts.push(`v=${+value.toPrecision(5)}`, `a=${S.kind === 1 ? +S.a.toPrecision(5) : S.kind === 2 ? 'all' : 0}`);
   return '#' + parts.join('&');
 }
+const ONLY = ['balance', 'body', 'force'];
 /** Rubbish is left out or clipped. */
 function restore(hash) {
   const query = new URLSearchParams(hash.slice(1));
-  if (query.get('only') === 'balance') document.body.dataset.only = 'balance';
+  const only = query.get('only');
+  if (ONLY.includes(only)) document.body.dataset.only = only;
+  stop();
+  finish();
+  probe = null;
+  note = '';
   if (!query.has('v')) return preset(0);
   P = { ...DEFAULTS };
   for (const [key, text] of query) {
     const span = SLIDERS[key] ? SLIDERS[key].slice(2, 4) : OWN[key];
-    if (span && text !== '' && Number.isFinite(+text)) P[key] = within(+text, span);
+    if (span && text.trim() !== '' && Number.isFinite(+text)) P[key] = within(+text, span);
     else if (CHOICES[key] && CHOICES[key].includes(text)) P[key] = text;
     else if (key === 'table' && unpackTable(text).length >= 4) P.table = packTable(unpackTable(text));
   }
@@ -373,5 +419,6 @@ function restore(hash) {
   S = a === '0' ? away() : a === 'all' ? complete() : +a > 0 ? settle('nearest', +a) : settle('largest');
   clearTrail();
   origin = { value, start: 'largest' };
+  markPreset();
   sync();
 }

@@ -1,5 +1,72 @@
 // A profile of one's own, drawn or pasted; and the pictures to take away.
 
+/** So many rows are opened at once; longer tables are weighed first, away from the page. */
+const FEW_ROWS = 60;
+const [FEW_FOLDS, MANY_FOLDS] = [8, 40];
+/** The time of a move, and of the weighing of a table, in ms. */
+const BUDGET = 50;
+const WAIT = 4000;
+/** In a worker: opens a scene with its table; the number of folds, and the time of a move. It shares nothing with the page. */
+function weighing() {
+  onmessage = async ({ data: { module, scenes, table } }) => {
+    const { exports: e } = await WebAssembly.instantiate(module, {});
+    for (const [smooth, scene, values] of scenes) {
+      const [head, tail] = [scene, table].map((text) => new TextEncoder().encode(text));
+      const at = e.input(head.length + tail.length);
+      const room = new Uint8Array(e.memory.buffer, at, head.length + tail.length);
+      room.set(head);
+      room.set(tail, head.length);
+      const folds = e.contact(head.length);
+      // The first moves are those of code that has not been compiled yet.
+      let time = 0;
+      for (let i = 0; i < 3 && folds >= 0; i++) {
+        const start = performance.now();
+        e.advance(-1, ...values);
+        time = performance.now() - start;
+      }
+      postMessage({ smooth, folds, time });
+    }
+    postMessage(null);
+  };
+}
+/** The folds of a table and the time of a move; if they are many, a length that leaves few. `folds` and `time` are infinite where
+ * they take longer than the page waits. */
+function weigh(table) {
+  const before = { ...P };
+  Object.assign(P, { shape: 'table', table, smooth: 0 });
+  const rows = unpackTable(table);
+  const wide = Math.max(...rows.map(([r]) => r));
+  const lengths = [0, wide / 40, wide / 20, wide / 10, wide / 5];
+  const high = Math.max(...rows.map(([, f]) => f), Math.sqrt(wide));
+  const scenes = lengths.map((smooth) => {
+    P.smooth = smooth;
+    return [smooth, sceneForEngine(), [-high, high]];
+  });
+  const file = tableFile(system('none'));
+  P = before;
+  return new Promise((done) => {
+    const worker = new Worker(URL.createObjectURL(new Blob([`(${weighing})()`], { type: 'text/javascript' })));
+    const found = { folds: Infinity, time: Infinity, smooth: wide / 20 };
+    let timer = 0;
+    const end = () => {
+      clearTimeout(timer);
+      worker.terminate();
+      done(found);
+    };
+    timer = setTimeout(end, WAIT);
+    worker.onerror = end;
+    worker.onmessage = ({ data }) => {
+      if (!data) return end();
+      if (!data.smooth) Object.assign(found, { folds: Math.max(0, data.folds), time: data.time });
+      else found.smooth = data.smooth;
+      // A few folds are those of the profile; a table that is refused is told so by the page.
+      if (!data.smooth) return data.folds <= FEW_FOLDS || (data.folds <= MANY_FOLDS && data.time <= BUDGET) ? end() : undefined;
+      return data.folds >= 0 && data.folds <= FEW_FOLDS ? end() : undefined;
+    };
+    worker.postMessage({ module: compiled, scenes, table: file });
+  });
+}
+
 const pad = {
   /** The profile that is open, and its text where that is not being typed. */
   show() {
@@ -55,12 +122,36 @@ const pad = {
     // A table in metres needs units to be shown in, and so small radii are metres without saying so.
     const widest = Math.max(...table.points.map(([r]) => r));
     if (P.unit === 'none' && (table.metric || widest < 1e-3)) {
+      remember('units');
       Object.assign(P, { unit: 'own', uR: 2 * widest, uE: widest < 1e-6 ? 1e9 : P.uE });
+      sync();
     }
     const { radius, height } = system();
     const points = table.points.map(([r, f]) => [r / radius, f / height]);
-    change({ shape: 'table', table: packTable(points) });
-    return this.refuse(trouble);
+    const use = (smooth) => {
+      turnPage();
+      change({ shape: 'table', table: packTable(points), smooth });
+      return this.refuse(trouble);
+    };
+    if (points.length <= FEW_ROWS) return use(0);
+    return weigh(packTable(points)).then((found) => this.offer(found, use));
+  },
+  /** Takes a table that is quick to follow; for another one, offers its rows smoothed. */
+  offer({ folds, time, smooth }, use) {
+    if (folds <= FEW_FOLDS || (folds <= MANY_FOLDS && time <= BUDGET)) return use(0);
+    const long = Number.isFinite(time) ? `a move takes about ${time.toFixed(0)} ms` : 'a move takes seconds';
+    const many = Number.isFinite(folds) ? `${folds} folds, and ${long}` : `its folds are not found within ${WAIT / 1000} s`;
+    this.refuse('');
+    const note = $('table-note');
+    note.textContent = `These rows make ${many}: noise of a measurement does that. `;
+    const button = (text, length) => {
+      const node = document.createElement('button');
+      Object.assign(node, { type: 'button', textContent: text, onclick: () => (note.replaceChildren(), use(length)) });
+      note.append(node, ' ');
+    };
+    if (smooth) button(`Smooth over ${show(smooth, 'a')}`, smooth);
+    if (Number.isFinite(time)) button('Use as it is', 0);
+    return undefined;
   },
   refuse(words) {
     $('table-note').textContent = words ? `Refused: ${words}` : '';
@@ -74,6 +165,15 @@ function download(name, type, text) {
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}
+const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+/** The contact and its control, as a line below the pictures. */
+function parametersInWords() {
+  const keys = Object.keys(SLIDERS).filter((key) => SLIDERS[key][6]());
+  const shown = keys.map((key) => `${SLIDERS[key][1]} = ${SHOWN_AS[key] ? show(P[key], SHOWN_AS[key]) : +P[key].toPrecision(5)}`);
+  const kind = { power: 'power law', sphere: 'sphere', wavy: 'wavy sphere', table: 'table' }[P.shape];
+  const units = P.unit === 'none' ? 'reduced units, E* = 1, w = 1/2π' : `E* = ${system().modulus} Pa, w = ${system().work} J/m²`;
+  return [kind, ...shown, `${CONTROLS[P.control][2]} = ${show(value, heldKind())}`, units].join(', ');
 }
 /** The pictures as one SVG with the colours that are shown. */
 function picture() {
@@ -101,11 +201,13 @@ function picture() {
     );
     return new XMLSerializer().serializeToString(copy).replaceAll('xmlns="http://www.w3.org/2000/svg" ', '');
   });
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-16 -16 ${size[0] + 32} ${size[1] + 32}" width="${size[0] + 32}" height="${size[1] + 32}">
-<title>An adhesive contact: ${$('value-label').textContent} ${$('value-out').textContent}</title><desc>${$('story').textContent}</desc>
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-16 -16 ${size[0] + 32} ${size[1] + 52}" width="${size[0] + 32}" height="${size[1] + 52}">
+<title>An adhesive contact: ${$('value-label').textContent} ${$('value-out').textContent}</title><desc>${escaped(`${$('story').textContent} ${parametersInWords()}`)}</desc>
+<metadata>${escaped(JSON.stringify({ address: address(), scene: sceneFile(), ...(P.shape === 'table' ? { table: tableFile(system()) } : {}) }))}</metadata>
 <style>svg{${variables}} ${rules.join(' ').replaceAll('<', '&lt;')}</style>
 <rect x="-16" y="-16" width="100%" height="100%" style="fill:var(--panel)"/>
 ${parts.join('\n')}
+<text x="0" y="${size[1] + 22}">${escaped(parametersInWords())}</text>
 </svg>
 `;
 }

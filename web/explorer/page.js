@@ -67,6 +67,7 @@ function readout() {
     shape: P.shape,
     value: String(value),
     state: ['detached', 'contact', 'complete'][S.kind],
+    ended,
     a: String(S.a),
     d: String(S.d),
     force: String(S.F),
@@ -142,6 +143,7 @@ function play(now) {
   if (anim) return;
   note = '';
   move(to);
+  if (ended) play.way = -play.way;
   if (S.kind === 2) stop();
 }
 play.way = -1;
@@ -152,8 +154,16 @@ function stop() {
 }
 let saving = 0;
 let ownAddress = '';
+let step = false; // whether the next address is a step of its own for the button Back of the browser
 function saveSoon() {
   if (!saving) saving = setTimeout(save, 300);
+}
+/** What follows can be taken back by the button Back of the browser; a frame leaves that of its page alone. */
+function turnPage() {
+  if (!$('explorer').dataset.ready.startsWith('t') || document.body.dataset.only) return;
+  clearTimeout(saving);
+  save();
+  step = true;
 }
 function save() {
   saving = 0;
@@ -161,7 +171,8 @@ function save() {
   if (hash === location.hash) return;
   ownAddress = hash;
   try {
-    history.replaceState(null, '', hash);
+    history[step ? 'pushState' : 'replaceState'](null, '', hash);
+    step = false;
   } catch {
     location.replace(hash);
   }
@@ -211,9 +222,15 @@ function sliders() {
     row.innerHTML = `<label for="s-${key}"><span><i>${s[1]}</i> ${s[0]}</span><output for="s-${key}" id="o-${key}"></output></label>
       <input type="range" id="s-${key}" min="0" max="1" step="0.002"><div class="ticks" aria-hidden="true">${s[5].map((tick) => tickMark(s, tick)).join('')}</div>`;
     $('sliders').appendChild(row);
+    // Marks hold a pointer that comes near, and keys where they would pass one; they hold none of both for good.
+    let keyed = false;
+    $(`s-${key}`).onpointerdown = () => (keyed = false);
+    $(`s-${key}`).onkeydown = () => (keyed = true);
     $(`s-${key}`).oninput = (e) => {
-      const mark = s[5].find(([at]) => Math.abs(toSlider(s, at) - e.target.value) < 0.006); // marks hold
-      change({ [key]: mark ? mark[0] : fromSlider(s, +e.target.value) });
+      const [now, before] = [+e.target.value, toSlider(s, P[key])];
+      const held = (at) => (keyed ? (at - before) * (at - now) < -1e-9 : Math.abs(at - now) < 0.006);
+      const mark = s[5].find(([at]) => held(toSlider(s, at)));
+      change({ [key]: mark ? mark[0] : fromSlider(s, now) });
     };
   }
   const half = 100 * toSlider(SLIDERS.n, 0.5);
@@ -251,12 +268,26 @@ function turn(graph) {
   force.now = null;
 }
 
+/** A number with or without its unit, and what is wrong with it, in words. */
+function readQuantity(key, text) {
+  const [symbol, unit, units] = OWN_UNITS[key];
+  const [, number, given] = text.trim().match(/^([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)$/) || [];
+  const example = `${symbol} is a number in ${unit}, or one with a unit: ${Object.keys(units).join(', ')}`;
+  if (!number) return [NaN, `“${text.trim()}” is no number. ${example}.`];
+  const power = given ? units[given.replace(/\s*\/\s*/, '/')] : 0;
+  if (power === undefined) return [NaN, `“${given}” is no unit of ${symbol}. ${example}.`];
+  const [low, high] = OWN[key];
+  const x = power < 0 ? number / 10 ** -power : number * 10 ** power;
+  return [x, x >= low && x <= high ? '' : `${symbol} is between ${low} and ${high} ${unit} here, got ${x}.`];
+}
+
 // ---------------------------------------------------------------- by hand
 function drag(node, begin, step, end) {
   node.addEventListener('pointerdown', (e) => {
     e.preventDefault();
     node.setPointerCapture(e.pointerId);
     stop();
+    remember.what = '';
     note = '';
     const memory = begin(e);
     const go = (m) => {
@@ -276,15 +307,19 @@ function drag(node, begin, step, end) {
 }
 function pointers() {
   const share = () => (range[1] - range[0]) / 260; // of the control for a pixel, where it is no length
-  const vertical = (plot) => (e, m) => move(m.value + (e.clientY - m.y) * (P.control === 'd' ? plot.perY() : share()));
+  const pull = (to) => {
+    remember('drag');
+    move(to);
+  };
+  const vertical = (plot) => (e, m) => pull(m.value + (e.clientY - m.y) * (P.control === 'd' ? plot.perY() : share()));
   const grip = (e) => ({ x: e.clientX, y: e.clientY, value });
   drag(balance.hit, grip, vertical(balance));
   drag(body.solid, grip, vertical(body));
   drag(force.hit, grip, (e, m) => {
     const up = -(e.clientY - m.y) * force.perY();
-    if (P.graph === 'fold') return move(m.value + up);
+    if (P.graph === 'fold') return pull(m.value + up);
     const across = ((e.clientX - m.x) * (force.now[1] - force.now[0])) / (force.box[2] - force.box[0]);
-    move(m.value + controlled(across, up));
+    pull(m.value + controlled(across, up));
   });
   const hold = (e) => {
     if (S.kind !== 1) return;
@@ -294,6 +329,7 @@ function pointers() {
   drag(balance.handle, () => ({}), hold, release);
   balance.handle.onkeydown = (e) => {
     const step = { ArrowLeft: -1, ArrowRight: 1, ArrowDown: -1, ArrowUp: 1 }[e.key];
+    if (step) stop();
     if (step && S.kind === 1) probe = within((probe || S.a) + step * reach * 0.02, [1e-5, reach]);
     else if (e.key === 'Enter' || e.key === ' ') release();
     else if (e.key === 'Escape') probe = null;
@@ -304,11 +340,48 @@ function pointers() {
   balance.handle.onblur = release;
 }
 
+// ---------------------------------------------------------------- what the pages of the book keep
+const keep = (name, what) => {
+  try {
+    localStorage.setItem(name, what);
+  } catch {
+    // no storage for this page
+  }
+};
+const kept = (name) => {
+  try {
+    return localStorage.getItem(name);
+  } catch {
+    return null;
+  }
+};
+/** The fonts of the book, where its pages have said that they lie beside this one: alone, the page asks nobody for anything. */
+function bookFonts() {
+  if (kept('mdr-fonts') !== new URL('.', location.href).href) return;
+  for (const [family, file, style] of [
+    ['Pagella', 'pagella-regular', {}],
+    ['Pagella', 'pagella-italic', { style: 'italic' }],
+    ['Pagella', 'pagella-bold', { weight: '700' }],
+    ['Inter', 'inter-regular', {}],
+    ['Inter', 'inter-semibold', { weight: '600' }],
+  ]) {
+    const face = new FontFace(family, `url(fonts/${file}.woff2)`, style);
+    face.load().then(
+      (loaded) => document.fonts.add(loaded),
+      () => {},
+    );
+  }
+}
+
 // ---------------------------------------------------------------- all together
 function page() {
   PRESETS.forEach(([name], i) => {
     const button = document.createElement('button');
-    Object.assign(button, { type: 'button', textContent: name, onclick: () => preset(i) });
+    const open = () => {
+      turnPage();
+      preset(i);
+    };
+    Object.assign(button, { type: 'button', textContent: name, onclick: open });
     button.dataset.preset = i;
     $('presets').appendChild(button);
   });
@@ -316,7 +389,10 @@ function page() {
     'control',
     Object.entries(CONTROLS).map(([k, [t]]) => [k, t]),
     () => P.control,
-    (key) => change({ control: key }),
+    (key) => {
+      turnPage();
+      change({ control: key });
+    },
   );
   const shapes = [
     ['power', 'power law'],
@@ -328,16 +404,24 @@ function page() {
     'shape',
     shapes,
     () => P.shape,
-    (key) => change({ shape: key, ...(key === 'power' ? {} : { rho: 1 }) }),
+    (key) => {
+      turnPage();
+      change({ shape: key, ...(key === 'power' ? {} : { rho: 1 }) });
+    },
   );
   segment(
     'view',
     [
-      ['body', 'as it is'],
-      ['springs', 'as springs'],
+      ['body', 'stretched'],
+      ['scale', '1 : 1'],
+      ['springs', 'springs'],
     ],
     () => P.view,
-    (key) => (P.view = key),
+    (key) => {
+      const reduced = key === 'scale' && P.unit === 'none';
+      note = reduced ? 'In reduced units heights and radii have no scale in common: choose units to see it true to scale.' : '';
+      if (!reduced) P.view = key;
+    },
   );
   segment(
     'graph',
@@ -357,19 +441,25 @@ function page() {
     .map(([k, [t]]) => `<option value="${k}">${t}</option>`)
     .join('');
   $('unit').onchange = (e) => {
+    remember('unit');
     P.unit = e.target.value;
+    if (P.unit === 'none' && P.view === 'scale') P.view = 'body';
     sync();
   };
   for (const key in OWN) {
     $(key).onchange = (e) => {
-      const x = Number(e.target.value);
-      const good = e.target.value.trim() !== '' && x >= OWN[key][0] && x <= OWN[key][1];
-      set(e.target, { 'aria-invalid': !good });
-      if (good) P[key] = x;
+      const [x, words] = readQuantity(key, e.target.value);
+      set(e.target, { 'aria-invalid': Boolean(words) });
+      $('unit-note').textContent = words;
+      if (!words) {
+        remember(key);
+        P[key] = x;
+      }
       sync();
     };
   }
   $('value').oninput = (e) => {
+    remember('value');
     stop();
     note = '';
     move(+e.target.value);
@@ -381,6 +471,7 @@ function page() {
     ];
     if (!step) return;
     e.preventDefault();
+    remember('value');
     stop();
     note = '';
     move(value + (step * (range[1] - range[0])) / (e.shiftKey ? 1000 : 100));
@@ -388,16 +479,26 @@ function page() {
   $('play').onclick = () => {
     if (playing) return stop();
     if (S.kind === 2) startAgain();
+    remember('play');
     playing = 1;
     $('play').textContent = '❚❚ Pause';
     set($('play'), { 'aria-pressed': 'true' });
     request();
   };
   $('reset').onclick = startAgain;
+  $('undo').onclick = undo;
+  addEventListener('keydown', (e) => {
+    const writes = /^(textarea|select)$/i.test(e.target.tagName) || e.target.inputMode === 'decimal';
+    if (writes || e.key !== 'z' || !(e.ctrlKey || e.metaKey) || e.shiftKey) return;
+    e.preventDefault();
+    undo();
+  });
+  document.addEventListener('visibilitychange', () => document.hidden && stop());
   $('theme').onclick = () => {
     const root = document.documentElement;
     const dark = root.dataset.theme ? root.dataset.theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
     root.dataset.theme = dark ? 'light' : 'dark';
+    keep('mdr-theme', root.dataset.theme);
   };
   pointers();
   drag(
@@ -418,8 +519,12 @@ function page() {
     if (P.shape === 'table') download('profile.csv', 'text/csv', tableFile(system()));
   };
   addEventListener('hashchange', () => {
-    if (location.hash !== ownAddress) restore(location.hash);
+    if (location.hash === ownAddress) return;
+    remember('address');
+    ownAddress = location.hash;
+    restore(location.hash);
   });
+  bookFonts();
 }
 
 load()
@@ -440,6 +545,8 @@ load()
       unbounded,
       trouble,
       way,
+      ended,
+      rest: engine.equilibria(value),
       frames: [...frames],
     });
     const hold = (a) => {
@@ -453,6 +560,7 @@ load()
       preset,
       probe: hold,
       release,
+      undo,
       state,
       files,
       picture,

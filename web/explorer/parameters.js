@@ -8,6 +8,7 @@ const DEFAULTS = {
   A: 0.06816,
   L: 1.16754,
   table: EXAMPLE_TABLE,
+  smooth: 0, // the length over which a table is smoothed; 0: its rows as they are
   control: 'd',
   k: 1,
   axis: 'lin',
@@ -163,11 +164,17 @@ const CHOICES = {
   control: ['d', 'F', 'D'],
   axis: ['lin', 'sqrt', 'log'],
   unit: Object.keys(UNITS),
-  view: ['body', 'springs'],
+  view: ['body', 'scale', 'springs'],
   graph: ['force', 'fold'],
 };
 /** E*, w and R of one's own, SI: what is allowed. */
 const OWN = { uR: [1e-10, 1e4], uE: [1e-2, 1e13], uw: [1e-9, 1e4] };
+/** The symbol, the unit, and the powers of ten of the units that may be written for each of them. */
+const OWN_UNITS = {
+  uR: ['R', 'm', { m: 0, mm: -3, um: -6, µm: -6, μm: -6, nm: -9, pm: -12 }],
+  uE: ['E*', 'Pa', { Pa: 0, kPa: 3, MPa: 6, GPa: 9 }],
+  uw: ['w', 'J/m²', { 'J/m²': 0, 'J/m^2': 0, 'mJ/m²': -3, 'mJ/m^2': -3, 'N/m': 0, 'mN/m': -3 }],
+};
 const CONTROLS = {
   d: ['depth d', 'Depth held', 'depth d'],
   F: ['force F', 'Force held', 'force F'],

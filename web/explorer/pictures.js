@@ -160,7 +160,9 @@ function bodyWindow(depths) {
   const side = Math.min(reach, Math.max(sharp, 0.02), reach > 3 ? reach : 2.2);
   const unit = Math.sqrt(Math.min(side, 4));
   const deepest = Math.max(0, ...depths);
-  const highest = -Math.min(0, ...depths);
+  // Drawn back as far as it goes, the tip of the body is in the picture.
+  const highest = -Math.min(0, P.control === 'F' ? 0 : range[0], ...depths);
+  if (P.view === 'scale') return scaledWindow(side);
   return [-side, side, -Math.max(0.62 * unit, 1.1 * deepest + 0.32 * unit), Math.max(0.66 * unit, highest + 0.4 * unit)];
 }
 
@@ -336,4 +338,12 @@ function drawEnergy(sides, rest, state) {
   const here = state.kind === 1 && state.a > 0 && state.a < p.now[1];
   set(p.ball, { cx: p.x(here ? state.a : 0), cy: p.y(here ? at(state.a) : 0) - 7, r: 7, opacity: here ? 1 : 0 });
   return moving;
+}
+
+/** A window in which a length is as long in height as in width, the surface below its middle. */
+function scaledWindow(side) {
+  const { radius, height } = system();
+  const [l, t, r, b] = body.box;
+  const high = ((2 * side * (b - t)) / (r - l)) * (radius / height);
+  return [-side, side, -0.42 * high, 0.58 * high];
 }

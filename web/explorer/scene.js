@@ -66,7 +66,7 @@ function profileLines({ radius, height }) {
         `wavelength = ${P.L * radius}`,
       ];
     default:
-      return ['kind = "table"', 'file = "profile.csv"'];
+      return ['kind = "table"', 'file = "profile.csv"', ...(P.smooth ? [`smooth = ${P.smooth * radius}`] : [])];
   }
 }
 const CONTROL_KINDS = { d: 'indentation', F: 'force', D: 'machine' };
@@ -93,7 +93,7 @@ const inUnits = (v, { radius, height, modulus }) => v * (P.control === 'F' ? mod
 function sceneFile() {
   const units = system();
   const lines = sceneHead(units);
-  const walked = S.kind !== 2 && !S.poised && way.points.length > 1;
+  const walked = !S.poised && way.points.length > 1;
   if (walked) {
     const start = way.start.kind === 1 ? way.start.a * units.radius : '"detached"';
     lines.push(`path = [${way.points.map((v) => inUnits(v, units)).join(', ')}]`, `start = ${start}`);
@@ -105,20 +105,40 @@ function sceneFile() {
 
 // ---------------------------------------------------------------- tables
 const LENGTHS = { m: 1, mm: 1e-3, um: 1e-6, µm: 1e-6, μm: 1e-6, nm: 1e-9, pm: 1e-12 };
+/** The unit of a cell in a row of headings or units, "nm", "r (nm)", "height/nm"; null where it names none. */
+function unitOf(cell) {
+  if (cell in LENGTHS) return LENGTHS[cell];
+  const [, unit] = cell.match(/[([/]\s*([^)\]]+?)\s*[)\]]?$/) || [];
+  if (!unit) return null;
+  if (unit in LENGTHS) return LENGTHS[unit];
+  throw new Error(`“${unit}” is no unit of length: write m, mm, µm, nm or pm`);
+}
+/** The factors of a row of headings or of units; `second`: after a row of headings, it has to be one of units. */
+function unitsOf(cells, second) {
+  const units = cells.slice(0, 2).map(unitOf);
+  if (units.length === 2 && units.every(Boolean)) return units;
+  const odd = cells.find((cell, i) => !units[i]);
+  if (second || units.some(Boolean)) throw new Error(`“${odd}” is no unit of length: write m, mm, µm, nm or pm`);
+  return null;
+}
 /** The rows of a CSV, and whether a row of units makes them metres. The engine judges whether they are a profile. */
 function readTable(text) {
   const points = [];
   let units = null;
+  let headed = false;
   for (const line of text.split(/\r?\n/)) {
     if (!line.trim() || line.trim().startsWith('#')) continue;
     const cells = line
-      .split(/[,;\t]|\s+(?=\S)/)
+      .split(/[,;\t]|\s+(?=[^\s([])/)
       .map((cell) => cell.trim())
       .filter(Boolean);
     const numbers = cells.slice(0, 2).map(Number);
     if (numbers.length === 2 && numbers.every(Number.isFinite)) points.push(numbers);
-    else if (!points.length && cells.slice(0, 2).every((cell) => cell in LENGTHS)) units = cells.map((cell) => LENGTHS[cell]);
-    else if (points.length) throw new Error(`“${line.trim()}” is no row of two numbers, radius and height`);
+    else if (points.length || units) throw new Error(`“${line.trim()}” is no row of two numbers, radius and height`);
+    else {
+      units = unitsOf(cells, headed);
+      headed = true;
+    }
   }
   if (points.length < 4) throw new Error(`a profile needs at least four rows of radius and height, got ${points.length}`);
   return { points: units ? points.map(([r, f]) => [r * units[0], f * units[1]]) : points, metric: Boolean(units) };

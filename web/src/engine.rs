@@ -40,7 +40,11 @@ impl Engine {
                 let shape = shape.clone().map(|_, literal| literal.nearest_f64());
                 Profile::Shape(profiles::Heights::new([shape])?)
             }
-            scene::Profile::Table(_) => Profile::Table(Table::from_csv(table).map_err(refused)?.profile(())?),
+            scene::Profile::Table(measured) => {
+                let rows = Table::from_csv(table).map_err(refused)?;
+                let smooth = measured.length().map(|length| rows.smoothed(length)).transpose().map_err(refused)?;
+                Profile::Table(smooth.map_or(rows, |(smooth, _)| smooth).profile(())?)
+            }
             _ => {
                 let why = "the page shows one shape of the library, or a table".to_owned();
                 return Err(Error::Scene { place: None, key: "profile.kind".to_owned(), why });

@@ -27,11 +27,10 @@ test('starts from a file, alone and without complaint, within a second', async (
   assert.ok(Math.min(...times) < 1000);
 });
 
-// The aim is 500 kB; what reads scenes, with their media and two works of adhesion, took 8 kB more.
-test('is smaller than 520 kB, compressed', () => {
+test('is smaller than 500 kB, compressed', () => {
   const size = gzipSync(readFileSync(file), { level: 9 }).length;
   console.log(`# ${size} bytes compressed`);
-  assert.ok(size < 520_000);
+  assert.ok(size < 500_000);
 });
 
 test('a frame takes less than 16 ms while dragging (95 of 100)', async () => {
@@ -117,9 +116,9 @@ test('a profile drawn or pasted is in the address, and a bad one is refused in w
   // The rows are kept as they are, not as the address rounds them; small radii are metres without a row of units.
   const fine = Array.from({ length: 200 }, (_, i) => `${i * 1.2345678e-10},${(i * 1.2345678e-10) ** 2 / 4e-8}`).join('\n');
   await page.evaluate(() => explorer.change({ unit: 'none' }));
-  const took = await page.evaluate((text) => {
+  const took = await page.evaluate(async (text) => {
     const start = performance.now();
-    explorer.paste(text);
+    await explorer.paste(text);
     return performance.now() - start;
   }, fine);
   console.log(`# a table of 200 rows is opened in ${took.toFixed(0)} ms`);
@@ -131,12 +130,144 @@ test('a profile drawn or pasted is in the address, and a bad one is refused in w
     ['1,2\n2,3', /at least four rows/],
     ['0,0\n1,1\n2,x\n3,3\n4,4', /no row of two numbers/],
     ['0,0\n1,-1\n2,-3\n3,-5', /fall outward/],
+    ['r,f\nnm,furlong\n0,0\n1,1\n2,3\n3,5', /“furlong” is no unit of length/],
+    ['r (inch),f (nm)\n0,0\n1,1\n2,3\n3,5', /“inch” is no unit of length/],
   ]) {
     await page.fill('#table-text', bad);
     await page.click('#table-use');
     assert.match(await page.textContent('#table-note'), words);
     assert.equal(await page.evaluate(() => explorer.state().P.table), kept);
   }
+  await page.close();
+});
+
+test('a table with many folds is weighed away from the page, and offered smoothed', async () => {
+  const page = await open(browser);
+  await preset(page, 'Your own tip');
+  let seed = 7;
+  const noise = () => (seed = (seed * 1103515245 + 12345) % 2147483648) / 2147483648 - 0.5;
+  const rows = Array.from({ length: 400 }, (_, i) => [i / 4, (i / 4) ** 2 / 80 + (i ? 0.4 * noise() : 0)]);
+  const slept = await page.evaluate(async (text) => {
+    let longest = 0;
+    let last = performance.now();
+    const beat = setInterval(() => {
+      longest = Math.max(longest, performance.now() - last);
+      last = performance.now();
+    }, 10);
+    await explorer.paste(text);
+    clearInterval(beat);
+    return longest;
+  }, `r,f\nnm,nm\n${rows.map((row) => row.join()).join('\n')}\n`);
+  console.log(`# the page stood still for ${slept.toFixed(0)} ms`);
+  assert.match(await page.textContent('#table-note'), /folds/);
+  await page.locator('#table-note button').first().click();
+  const d = await data(page);
+  assert.ok(d.shape === 'table' && +d.folds <= 8, `${d.folds} folds`);
+  assert.match(await page.evaluate(() => explorer.files().scene), /^smooth = /m);
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test('no slider is a trap for keys: from every mark the arrows lead on', async () => {
+  const page = await open(browser);
+  for (const [key, at] of [
+    ['n', 2],
+    ['n', 0.5],
+    ['rho', 1],
+  ])
+    for (const arrow of ['ArrowRight', 'ArrowLeft']) {
+      await change(page, { [key]: at });
+      await page.focus(`#s-${key}`);
+      for (let i = 0; i < 6; i++) await page.keyboard.press(arrow);
+      const now = await page.evaluate((key) => explorer.state().P[key], key);
+      assert.ok(arrow === 'ArrowRight' ? now > at : now < at, `${key} = ${now} after ${arrow} from ${at}`);
+      // And back: the mark is not passed by.
+      const back = arrow === 'ArrowRight' ? 'ArrowLeft' : 'ArrowRight';
+      const seen = new Set();
+      for (let i = 0; i < 12; i++) {
+        await page.keyboard.press(back);
+        seen.add(await page.evaluate((key) => explorer.state().P[key], key));
+      }
+      assert.ok(seen.has(at), `${key}: ${at} among ${[...seen]}`);
+    }
+  await page.close();
+});
+
+test('undo takes back a move with its way, and Back a preset', async () => {
+  const page = await open(browser, '#v=0.3');
+  await page.focus('#value');
+  await page.keyboard.press('Home');
+  const there = await data(page);
+  assert.equal(there.jumps, '1');
+  await page.keyboard.press('Control+z');
+  assert.deepEqual([(await data(page)).value, (await data(page)).jumps], ['0.3', '0']);
+  await page.keyboard.press('Home');
+  await page.waitForTimeout(1000);
+  await change(page, { n: 1 });
+  await page.click('#undo');
+  const again = await data(page);
+  assert.deepEqual([again.jumps, again.lost, again.state], [there.jumps, there.lost, there.state]);
+  await preset(page, 'Cone');
+  await page.waitForFunction(() => /n=1(&|$)/.test(location.hash));
+  await page.goBack();
+  await page.waitForFunction(() => explorer.state().P.n === 2);
+  assert.equal((await data(page)).state, there.state);
+  await page.close();
+});
+
+test('Play stops where something else is done, and a unit that is none is said in words', async () => {
+  const page = await open(browser, '#v=0.3&unit=own', { reducedMotion: 'no-preference' });
+  await page.click('#play');
+  await page.evaluate(() => (location.hash = '#v=0.4&unit=own'));
+  await page.waitForTimeout(400);
+  assert.equal(await page.getAttribute('#play', 'aria-pressed'), 'false');
+  for (const [field, text, words] of [
+    ['uR', '5 furlong', /“furlong” is no unit of R.*µm/],
+    ['uE', 'soft', /“soft” is no number/],
+    ['uw', '1e9', /between/],
+  ]) {
+    await page.fill(`#${field}`, text);
+    await page.keyboard.press('Enter');
+    await page.locator(`#${field}`).blur();
+    assert.match(await page.textContent('#unit-note'), words);
+    assert.equal(await page.getAttribute(`#${field}`, 'aria-invalid'), 'true');
+  }
+  await page.fill('#uR', '5 um');
+  await page.locator('#uR').blur();
+  assert.equal(await page.textContent('#unit-note'), '');
+  assert.equal(await page.evaluate(() => explorer.state().P.uR), 5e-6);
+  await page.close();
+});
+
+test('the body is in the picture when it has come off, and true to scale where units give one', async () => {
+  const page = await open(browser);
+  const tip = () =>
+    page.evaluate(() => {
+      const solid = document.querySelector('#body .f-body').getBBox();
+      return [solid.y + solid.height, document.querySelector('#body').clientHeight];
+    });
+  for (const name of ['JKR sphere', 'Dead load', 'AFM cantilever', 'Figure 4: wavy sphere', 'Your own tip', 'Cone']) {
+    await preset(page, name);
+    await page.evaluate(() => explorer.move(explorer.state().range[0]));
+    assert.equal((await data(page)).state, 'detached', name);
+    const [y, height] = await tip();
+    assert.ok(y > 8 && y < height, `${name}: the tip is at ${y} of ${height}`);
+  }
+  await page.click('[data-key="scale"]');
+  await data(page);
+  assert.match(await page.textContent('#story'), /choose units/);
+  await preset(page, 'AFM cantilever');
+  await page.click('[data-key="scale"]');
+  await data(page);
+  // A tip of 20 nm: over a width of 2x its height is x²/2R.
+  const [bow, x] = await page.evaluate(() => {
+    const path = document.querySelector('#body .f-body').getAttribute('d').match(/^M[^VZ]*/)[0];
+    const points = path.slice(1).split('L').map((p) => p.split(' ').map(Number));
+    const low = points.reduce((a, b) => (b[1] > a[1] ? b : a));
+    return [low[1] - points[0][1], low[0] - points[0][0]];
+  });
+  const perPixel = (2 * 2.2 * 5.0107e-9) / (await page.evaluate(() => document.querySelector('#body').clientWidth - 8));
+  close(bow * perPixel, (x * perPixel) ** 2 / 2 / 20e-9, 0.05);
   await page.close();
 });
 
@@ -291,12 +422,15 @@ test('the picture to take away is an SVG on its own, in the colours that are sho
       return {
         errors: document_.querySelectorAll('parsererror').length,
         panels: document_.querySelectorAll('svg > svg').length,
+        scene: JSON.parse(document_.querySelector('metadata').textContent).scene,
         paths: document_.querySelectorAll('path').length,
       };
     }, svg);
     assert.deepEqual([told.errors, told.panels], [0, 4]);
     assert.ok(told.paths > 30);
     assert.match(svg, colorScheme === 'dark' ? /--panel:#1a1e23/ : /--panel:#ffffff|--panel:#fff/);
+    assert.match(svg, /power law, n = 2, ρ = 1, depth d = −0\.6/);
+    assert.match(told.scene, /^path = \[0\.25, -0\.6\]$/m);
     assert.ok(!/https?:(?!\/\/www\.w3\.org)/.test(svg));
     const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-svg')]);
     assert.equal(download.suggestedFilename(), 'contact.svg');
@@ -316,17 +450,19 @@ test('SI units say the same: the pull-off force of an AFM tip is −(3/2)πwR', 
 });
 
 test('one picture and its control fit into a frame of another page', async () => {
-  for (const [width, height] of [
-    [360, 420],
-    [900, 420],
+  for (const [width, height, only, other] of [
+    [360, 420, 'balance', 'force'],
+    [900, 420, 'balance', 'body'],
+    [360, 420, 'body', 'force'],
+    [700, 420, 'force', 'balance'],
   ]) {
-    const page = await open(browser, '#only=balance', { viewport: { width, height } });
+    const page = await open(browser, `#only=${only}`, { viewport: { width, height } });
     await move(page, -0.6);
     assert.equal((await data(page)).state, 'detached');
     const [w, h] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
     assert.ok(w <= width && h <= height, `${w} × ${h} in ${width} × ${height}`);
-    assert.ok(await page.isHidden('#force'));
-    assert.match(await page.evaluate(() => location.hash), /only=balance/);
+    assert.ok((await page.isHidden(`#${other}`)) && (await page.isVisible(`#${only}`)));
+    assert.ok((await page.evaluate(() => location.hash)).includes(`only=${only}`));
     assert.deepEqual(page.problems, []);
     await page.close();
   }
@@ -349,7 +485,7 @@ test('five hundred random operations: no complaint, no number that is none', asy
       control: () => pick(['d', 'F', 'D']),
       shape: () => pick(['power', 'sphere', 'wavy', 'table']),
       axis: () => pick(['lin', 'sqrt', 'log']),
-      view: () => pick(['body', 'springs']),
+      view: () => pick(['body', 'scale', 'springs']),
       graph: () => pick(['force', 'fold']),
       unit: () => pick(['none', 'afm', 'gel', 'paper', 'own']),
     };

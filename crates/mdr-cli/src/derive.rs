@@ -88,7 +88,7 @@ fn overview(judgements: &[Judgement]) -> String {
             cell(judgement.entry.title, CellStyle::Plain),
             cell(judgement.tally(), CellStyle::Faint),
             cell(judgement.mutants().len(), CellStyle::Faint),
-            cell(judgement.verdict(), tone),
+            cell(judgement.verdict_and_basis(), tone),
         ]);
     }
     format!("{}\n\n{}", render(&table), summary(judgements))

@@ -55,6 +55,18 @@ pub(crate) fn create(
     write(flag, path, content)
 }
 
+/// A CSV file that `fill` fills, below a comment that names the program.
+pub(crate) fn create_csv(
+    flag: &str,
+    path: &Path,
+    fill: impl FnOnce(&mut Output<&mut Vec<u8>>) -> Result<()>,
+) -> Result<()> {
+    create(flag, path, |out| {
+        out.text(mdr_provenance::csv("").trim_end())?;
+        fill(out)
+    })
+}
+
 /// Writes beside the file first, and takes its place then. What is no regular file, such as a pipe, is written to as it is.
 fn replace(path: &Path, content: &[u8]) -> io::Result<()> {
     // The file that a link leads to is written, and the link stays.

@@ -144,10 +144,10 @@ fn write(fitted: &[Fitted], format: Format, out: &mut Out<impl std::io::Write>) 
         Format::Json => {
             for (file, answer) in fitted {
                 match answer {
-                    Ok(answer) if fitted.len() == 1 => out.text(answer.to_json())?,
+                    Ok(answer) if fitted.len() == 1 => out.json_lines(&answer.to_json())?,
                     Ok(answer) => {
                         let file = serde_json::Value::from(file.as_str());
-                        out.text(format_args!("{{\"file\":{file},{}", &answer.to_json()[1..]))?;
+                        out.json_lines(&format!("{{\"file\":{file},{}", &answer.to_json()[1..]))?;
                     }
                     Err(error) => {
                         let reason = error.to_string();
@@ -269,6 +269,7 @@ fn for_reader(answer: &Answer) -> String {
     if answer.status.has_estimates() && answer.parameters.len() > 1 {
         parts.push(correlations(answer));
     }
+    parts.extend(answer.read.iter().map(|read| read.sentence()));
     parts.push(answer.quality());
     parts.push(answer.attempts());
     parts.extend(answer.events());

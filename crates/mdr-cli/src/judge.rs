@@ -22,7 +22,7 @@ const PICTURE: &str = "Draw right digits and excess loss to this SVG file, and t
 #[derive(Debug, Args)]
 #[command(after_help = include_str!("../help/judge.txt"), mut_arg("plot", |flag| flag.help(PICTURE)))]
 pub(crate) struct Judge {
-    /// Answers, one JSON object a line; - for standard input
+    /// Answers, one a line, as JSON, `id value` or CSV; - for standard input
     #[arg(value_name = "ANSWERS.jsonl")]
     answers: PathBuf,
 
@@ -72,7 +72,7 @@ impl Judge {
         read.map_err(|error| files::of_flag("", &self.answers, error))?;
         let report = bench.report();
         match self.format {
-            Format::Json => out.text(report.to_json_lines())?,
+            Format::Json => out.json_lines(&report.to_json_lines())?,
             Format::Csv => out.spreadsheet(&report.to_rows())?,
             Format::Table => out.text(self.for_reader(&report))?,
         }

@@ -48,12 +48,17 @@ impl<W: Write> Output<W> {
         self.finish(|_| Ok(()))
     }
 
-    /// One line of JSON.
+    /// One line of JSON, with the program in its head.
     pub(crate) fn json(&mut self, value: &impl Serialize) -> Result<()> {
         self.finish(|out| {
-            serde_json::to_writer(&mut *out, value)?;
-            out.write_all(b"\n")
+            let line = serde_json::to_string(value)?;
+            writeln!(out, "{}", mdr_provenance::json(&line))
         })
+    }
+
+    /// Lines of JSON that are written already, with the program in the head of each.
+    pub(crate) fn json_lines(&mut self, lines: &str) -> Result<()> {
+        self.text(mdr_provenance::json(lines))
     }
 
     /// A header and rows, quoted where needed.

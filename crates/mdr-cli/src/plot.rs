@@ -80,8 +80,6 @@ fn check(to: &Path) -> Result<()> {
 /// # Errors
 /// When a file cannot be written.
 pub(crate) fn write(picture: &Picture, theme: Theme, to: &Path, flag: &str) -> Result<()> {
-    for (file, text) in [(to.to_owned(), picture.svg_in(theme)), (to.with_extension("csv"), picture.csv())] {
-        files::write(flag, &file, text)?;
-    }
-    Ok(())
+    files::write(flag, to, mdr_provenance::svg(&picture.svg_in(theme)).as_bytes())?;
+    files::write(flag, &to.with_extension("csv"), mdr_provenance::csv(&picture.csv()))
 }

@@ -1,5 +1,6 @@
 //! `mdr reference`: the certified records.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -26,7 +27,7 @@ pub(crate) struct Reference {
     #[arg(long, value_enum, requires = "table", conflicts_with_all = ["export", "format"])]
     language: Option<Language>,
 
-    /// Write the records to a file, as JSON lines (.jsonl) or as a table (.csv); with --table .csv, .json, .h or .py
+    /// Write the records to a file, as JSON lines (.jsonl) or as a table (.csv); with --table .csv, .json, .h, .py, .f90 or .jl
     #[arg(long, value_name = "FILE")]
     export: Option<PathBuf>,
 
@@ -48,6 +49,10 @@ pub(crate) struct Reference {
 enum Language {
     /// A header of C and C++.
     C,
+    /// A module of Fortran.
+    Fortran,
+    /// A module of Julia.
+    Julia,
     /// A module of Python.
     Python,
 }
@@ -85,6 +90,8 @@ impl Reference {
         let format = match (self.language, self.format) {
             (Some(Language::C), _) => TableFormat::C,
             (Some(Language::Python), _) => TableFormat::Python,
+            (Some(Language::Fortran), _) => TableFormat::Fortran,
+            (Some(Language::Julia), _) => TableFormat::Julia,
             (None, Format::Json) => TableFormat::Json,
             (None, Format::Csv) => TableFormat::Csv,
             (None, Format::Table) => return out.text(table_for_reader(&table)),
@@ -146,7 +153,22 @@ fn export(file: &Path, chosen: &[&Record], out: &mut Output<impl std::io::Write>
 /// Writes records for a program or a spreadsheet.
 fn write(format: Format, chosen: &[&Record], out: &mut Output<impl std::io::Write>) -> Result<()> {
     match format {
-        Format::Csv => out.csv(&Record::CSV_HEADER, chosen.iter().map(|record| record.to_csv())),
+        Format::Csv => {
+            // Each input has a column of its own behind those of all records.
+            let names: BTreeSet<&str> =
+                chosen.iter().flat_map(|record| record.inputs.iter().map(|(name, _)| name.as_str())).collect();
+            let header = Record::CSV_HEADER.into_iter().map(str::to_owned);
+            let header: Vec<String> = header.chain(names.iter().map(|name| format!("input_{name}"))).collect();
+            let header: Vec<&str> = header.iter().map(String::as_str).collect();
+            let inputs = |record: &Record| {
+                let cells = names.iter().map(|name| record.input(name).unwrap_or_default().to_owned());
+                cells.collect::<Vec<String>>()
+            };
+            out.csv(
+                &header,
+                chosen.iter().map(|record| record.to_csv().into_iter().chain(inputs(record)).collect::<Vec<_>>()),
+            )
+        }
         _ => out.text(chosen.iter().map(|record| record.to_json()).collect::<Vec<_>>().join("\n")),
     }
 }
@@ -156,7 +178,8 @@ fn export_table(file: &Path, table: &Table, out: &mut Output<impl std::io::Write
     let name = file.display().to_string();
     let extension = file.extension().and_then(|extension| extension.to_str());
     let format = TableFormat::ALL.into_iter().find(|(_, known)| Some(*known) == extension);
-    let (format, _) = format.ok_or_else(|| Failure::flag("--export", "must end in .csv, .json, .h or .py", &name))?;
+    let (format, _) =
+        format.ok_or_else(|| Failure::flag("--export", "must end in .csv, .json, .h, .py, .f90 or .jl", &name))?;
     files::write("--export", file, table.write(format))?;
     out.text(format_args!("{name}: {} rows", table.rows().count()))
 }

@@ -59,7 +59,7 @@ impl Verify {
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<bool> {
         let report = if self.merge.is_empty() { with_progress(&self.options()?) } else { self.merged()? };
         match self.format {
-            Format::Json => out.text(report.to_json_lines().trim_end())?,
+            Format::Json => out.json_lines(report.to_json_lines().trim_end())?,
             Format::Csv => out.csv(&CheckRow::CSV_HEADER, report.rows.iter().map(CheckRow::to_csv))?,
             Format::Table => out.text(for_reader(&report))?,
         }

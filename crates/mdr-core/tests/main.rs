@@ -11,6 +11,7 @@ mod contact_expression;
 mod contact_lowest;
 mod number_algebra;
 mod number_certify;
+mod number_containment;
 mod number_counted;
 mod number_dual;
 mod number_dual_f64;

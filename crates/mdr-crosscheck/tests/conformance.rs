@@ -77,14 +77,16 @@ fn spans(cell: &str) -> impl Iterator<Item = &str> {
     cell.split('`').skip(1).step_by(2)
 }
 
-/// Function, checks, tests and verdict of each row.
-fn rows(document: &str) -> Vec<[String; 4]> {
+/// Function, checks, tests, verdict and physics of each row; a row may end before its physics.
+fn rows(document: &str) -> Vec<[String; 5]> {
     let cells = |line: &str| line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect::<Vec<_>>();
     let rows = document.lines().filter(|line| line.starts_with('|') && !line.starts_with("|---")).map(cells);
     rows.filter(|cells| !cells.iter().any(|cell| cell == "function"))
         .map(|cells| {
-            let at = |from_end: usize| cells[cells.len() - from_end].clone();
-            [at(3), at(2), at(1), at(4)]
+            // A row of the paper begins with an equation.
+            let verdict = if cells[0].starts_with("(1.") { 2 } else { 1 };
+            let at = |index: usize| cells.get(verdict + index).cloned().unwrap_or_default();
+            [at(1), at(2), at(3), at(0), at(4)]
         })
         .collect()
 }
@@ -98,13 +100,32 @@ fn every_name_of_the_table_exists() {
     let checks = texts("mdr-crosscheck");
     let is_entry = |id: &str| entries().iter().any(|entry| entry.id == id);
     let mut gone = Vec::new();
-    for [function, check, test, verdict] in &rows {
+    for [function, check, test, verdict, physics] in &rows {
         gone.extend(spans(function).filter(|path| !exists(path)).map(|path| format!("function {path}")));
-        gone.extend(spans(check).filter(|name| !quoted(&checks, name)).map(|name| format!("check {name}")));
+        let named = spans(check).chain(spans(physics));
+        gone.extend(named.filter(|name| !quoted(&checks, name)).map(|name| format!("check {name}")));
         gone.extend(spans(test).filter(|path| !root().join(path).is_file()).map(|path| format!("test {path}")));
         gone.extend(spans(verdict).filter(|id| !is_entry(id)).map(|id| format!("entry {id}")));
     }
     assert!(gone.is_empty(), "docs/conformance.md names what there is not: {gone:?}");
+}
+
+/// The physics of a row is a check by the kernel of a medium, a reference to rows that have one, or said to be missing; and every
+/// check by a kernel is the physics of a row.
+#[test]
+fn the_physics_of_each_row_is_a_kernel() {
+    let document = fs::read_to_string(root().join("docs/conformance.md")).unwrap();
+    let rows = rows(&document);
+    let mut found = std::collections::BTreeSet::new();
+    for [function, .., physics] in &rows {
+        let named: Vec<_> = spans(physics).collect();
+        let stated = physics.is_empty() || physics == "definition" || physics.starts_with("by (1.");
+        assert!(stated || !named.is_empty(), "{function}: {physics}");
+        assert!(named.iter().all(|name| name.ends_with("-kernel")), "{function}: {physics}");
+        found.extend(named);
+    }
+    let kernels = mdr_crosscheck::check_names().into_iter().filter(|name| name.ends_with("-kernel"));
+    assert_eq!(found, kernels.collect());
 }
 
 #[test]

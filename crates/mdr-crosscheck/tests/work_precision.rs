@@ -174,7 +174,13 @@ struct Row {
 #[test]
 fn the_published_data_are_those_of_the_source() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/report/work-precision.csv");
-    let rows: Vec<Row> = csv::Reader::from_path(path).unwrap().deserialize().map(Result::unwrap).collect();
+    let rows: Vec<Row> = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .from_path(path)
+        .unwrap()
+        .deserialize()
+        .map(Result::unwrap)
+        .collect();
     let methods: BTreeSet<_> = rows.iter().map(|row| (row.comparison.as_str(), row.method.as_str())).collect();
     let mut published: BTreeMap<_, _> =
         rows.iter().map(|row| ((row.comparison.as_str(), row.method.as_str(), row.setting.as_str()), row)).collect();

@@ -3,7 +3,7 @@
 use mdr_core::named;
 use mdr_core::number::Decimal;
 
-use super::{Leg, Observation};
+use super::{CurveText, Leg, Observation};
 use mdr::validity::Validity;
 
 named! {
@@ -258,6 +258,9 @@ pub struct Fit {
     pub warnings: Vec<String>,
     /// Proved digits, if they were requested and can be given; if they cannot, a warning states the reason.
     pub certified: Option<CertifiedFit>,
+    /// How the text of the curve was read, if it was in a file.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub read: Option<Box<CurveText>>,
     /// Evaluations of the curve.
     pub evaluations: usize,
     /// Different ends of the descents from all starts, the least sum of squares first, which is the answer.

@@ -23,6 +23,10 @@ const IMPROBABLE: f64 = 1e-6;
 pub(super) fn fit(problem: &Problem) -> Result<Fit> {
     let mut fit = fit_from(problem, &Source::ALL)?;
     super::smoothing::add(&mut fit, problem);
+    if let Some((text, remark)) = &problem.read {
+        fit.read = Some(Box::new(text.clone()));
+        fit.warnings.extend(remark.clone());
+    }
     Ok(fit)
 }
 
@@ -243,6 +247,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         validity: None,
         warnings: Vec::new(),
         certified: None,
+        read: None,
         evaluations: minimum.evaluations,
         tried: tried.iter().map(|attempt| described(objective, attempt, alike)).collect(),
         intervals: Vec::new(),

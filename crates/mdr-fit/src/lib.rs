@@ -60,6 +60,7 @@ mod profile;
 mod read;
 mod smoothing;
 mod start;
+mod text;
 mod validity;
 mod warnings;
 mod words;
@@ -70,6 +71,7 @@ pub use answer::{
 };
 pub use observation::{Leg, Loss, Observation};
 pub use problem::Problem;
+pub use text::{CurveColumn, CurveText};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

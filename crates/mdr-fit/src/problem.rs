@@ -5,6 +5,7 @@ use mdr_core::units::SiUnit;
 
 use super::answer::Fit;
 use super::observation::{Leg, Loss, Observation};
+use super::text::CurveText;
 use mdr::reading::Location;
 use mdr::scene::{IntoProfile, Profile};
 use mdr::{Error, Result};
@@ -69,6 +70,8 @@ pub struct Problem {
     pub(super) digits: Option<u32>,
     /// Whether intervals by the profile of the sum of squares are requested.
     pub(super) profile_likelihood: bool,
+    /// How the text of the curve was read, where it was in a file, and a remark on it.
+    pub(super) read: Option<(CurveText, Option<String>)>,
     pub(super) place: Location,
 }
 
@@ -127,6 +130,7 @@ impl Problem {
             range_of_adhesion: None,
             digits: None,
             profile_likelihood: false,
+            read: None,
             place,
         })
     }
@@ -289,6 +293,11 @@ impl Problem {
     /// The rows (X, Y), in SI units.
     pub fn data(&self) -> impl Iterator<Item = [f64; 2]> {
         self.rows.iter().map(|row| [row.x, row.y])
+    }
+
+    /// How the text of the curve was read, if it was in a file.
+    pub fn read_from(&self) -> Option<&CurveText> {
+        self.read.as_ref().map(|(text, _)| text)
     }
 
     /// The estimates, with their standard errors and further results.

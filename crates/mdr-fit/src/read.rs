@@ -8,6 +8,7 @@ use mdr_core::units::SiUnit;
 use super::data::{self, Columns};
 use super::observation::{Loss, Observation};
 use super::problem::{DataRow, Problem};
+use super::text::{self, Record};
 use mdr::files;
 use mdr::reading::Location;
 use mdr::reading::{self, Section, Value};
@@ -41,9 +42,8 @@ impl Problem {
         let source = reading::Source::open(file.as_ref())?;
         Ok(move |curve: &Path| {
             let name = curve.display().to_string();
-            let text = files::argument(curve).and_then(files::text);
-            let text = text.map_err(|source| Error::Io { name: name.clone(), source })?;
-            source.read(|top| read(top, Some(Curve { name: &name, text: &text })))
+            let bytes = files::argument(curve).map_err(|source| Error::Io { name: name.clone(), source })?;
+            source.read(|top| read(top, Some(Curve { name: &name, bytes: &bytes })))
         })
     }
 
@@ -65,11 +65,14 @@ impl Problem {
     }
 }
 
+/// The largest number of a column.
+const MOST_COLUMNS: u32 = 100_000;
+
 /// A curve in place of the data of a fit.
 #[derive(Clone, Copy)]
 struct Curve<'c> {
     name: &'c str,
-    text: &'c str,
+    bytes: &'c [u8],
 }
 
 fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
@@ -88,10 +91,10 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     }
     let data = top.section("data")?;
     let observation = data.required("observation")?.choice("observation", &Observation::NAMES)?;
-    let (rows, sigma) = rows_of(&data, observation, curve)?;
+    let (record, sigma) = rows_of(&data, observation, curve)?;
     data.finish()?;
-    let mut problem = Problem::with(profile, observation, rows, data.place())?;
-    problem.sigma = sigma;
+    let mut problem = Problem::with(profile, observation, record.rows, data.place())?;
+    (problem.sigma, problem.read) = (sigma, record.text);
     if let Some(material) = top.optional_section("material")? {
         for key in ["e_star", "work_of_adhesion"] {
             if let Some(value) = material.optional(key) {
@@ -128,12 +131,18 @@ fn rows_of(
     data: &Section<'_>,
     observation: Observation,
     curve: Option<Curve<'_>>,
-) -> Result<(Vec<DataRow>, [Option<f64>; 2])> {
+) -> Result<(Record, [Option<f64>; 2])> {
     let bases = observation.units();
     let mut columns = Columns::default();
     if let Some(value) = data.optional("columns") {
         let names = value.section()?;
-        let name = |key| names.optional(key).map(|value| value.text().map(str::to_owned)).transpose();
+        let name = |key| {
+            let name = |value: Value<'_>| match value.whole(1, MOST_COLUMNS) {
+                Ok(number) => Ok(number.to_string()),
+                Err(_) => value.text().map(str::to_owned),
+            };
+            names.optional(key).map(name).transpose()
+        };
         (columns.x, columns.y, columns.leg) = (name("x")?, name("y")?, name("leg")?);
         names.finish()?;
     }
@@ -156,17 +165,15 @@ fn rows_of(
     let rows = match which {
         0 => {
             let own = match curve {
-                Some(_) => String::new(),
-                None => {
-                    let name = value.text()?;
-                    files::text(value.bytes(name)?).map_err(|error| value.refuse_file(name, &error))?
-                }
+                Some(_) => Vec::new(),
+                None => value.bytes(value.text()?)?,
             };
             let refuse = |why: String| match curve {
                 Some(curve) => value.refuse(format!("{}: {why}", excerpt(curve.name))),
                 None => value.refuse_file(value.text().unwrap_or_default(), &why),
             };
-            data::read(curve.map_or(own.as_str(), |curve| curve.text), &columns, bases).map_err(refuse)?
+            let bytes = curve.map_or(own.as_slice(), |curve| curve.bytes);
+            return Ok((text::read(bytes, &columns, bases).map_err(refuse)?, sigma));
         }
         1 => inline(&value, &columns, bases)?,
         _ => {
@@ -177,7 +184,7 @@ fn rows_of(
             data::rows(&list(&value, 0)?, &list(&data.required("y")?, 1)?, None)?
         }
     };
-    Ok((rows, sigma))
+    Ok((Record { rows, text: None }, sigma))
 }
 
 /// Rows `[[x, y], …]`, or with their leg `[x, y, "approach"]`.

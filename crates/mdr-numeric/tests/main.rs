@@ -15,6 +15,8 @@ mod pinned;
 mod printed;
 #[cfg(feature = "mp")]
 mod range;
+#[cfg(feature = "mp")]
+mod rigorous;
 mod routes;
 mod scales;
 mod states;

@@ -8,11 +8,15 @@ use crate::markup::plain;
 /// The first line of the data of every picture.
 pub const CSV_HEADER: &str = "panel,element,series,style,x_quantity,x,y_quantity,y,units";
 
-/// Whether a file begins like the data of a picture.
+/// The bytes from a file that tell whether it is the data of a picture.
+const LONGEST_START: u64 = 1024;
+
+/// Whether a file begins like the data of a picture. Lines of comments, which begin with `#`, may stand above.
 pub fn is_data(from: impl Read) -> bool {
     let mut start = Vec::new();
-    let read = from.take(CSV_HEADER.len() as u64).read_to_end(&mut start);
-    read.is_ok() && start == CSV_HEADER.as_bytes()
+    let read = from.take(LONGEST_START).read_to_end(&mut start);
+    let mut lines = start.split(|byte| *byte == b'\n').skip_while(|line| line.starts_with(b"#"));
+    read.is_ok() && lines.next().is_some_and(|line| line == CSV_HEADER.as_bytes())
 }
 
 impl Picture {

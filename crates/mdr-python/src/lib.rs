@@ -28,6 +28,7 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("CERTIFIED", cfg!(feature = "mp"))?;
         module.add("MAX_DIGITS", mdr::scene::MAX_DIGITS)?;
+        module.add("PROGRAM", mdr_provenance::program())?;
         module.add("VERSION", env!("CARGO_PKG_VERSION"))
     }
 }

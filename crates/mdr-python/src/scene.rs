@@ -36,7 +36,7 @@ pub(crate) fn solve(
         let scene = read(form, text, &files)?.in_arithmetic(arithmetic);
         let mut answer = scene.solve_with(&mut Run::new(&mut (), stop.clone()))?;
         answer.notes.extend(scene.unused(false));
-        Ok(answer.to_json())
+        Ok(mdr_provenance::json(&answer.to_json()).into_owned())
     })?;
     answer.map_err(of_library)
 }
@@ -46,7 +46,7 @@ pub(crate) fn solve(
 pub(crate) fn draw(py: Python<'_>, form: &str, text: &str, files: HashMap<String, Vec<u8>>) -> PyResult<String> {
     let picture = interruptible(py, |_| {
         let scene = read(form, text, &files)?;
-        Ok(mdr_plot::scene(scene.profile().name(), &scene.diagram()?).svg())
+        Ok(mdr_provenance::svg(&mdr_plot::scene(scene.profile().name(), &scene.diagram()?).svg()).into_owned())
     })?;
     picture.map_err(of_library)
 }
@@ -62,8 +62,8 @@ pub(crate) fn fit(
 ) -> PyResult<(String, Option<String>)> {
     let fitted = interruptible(py, |_| {
         let fit = Problem::from_json(problem, "", &at_hand(&files))?.fit()?;
-        let picture = drawn.then(|| mdr_plot::fit(fit.profile, &fit).svg());
-        Ok((fit.to_json(), picture))
+        let picture = drawn.then(|| mdr_provenance::svg(&mdr_plot::fit(fit.profile, &fit).svg()).into_owned());
+        Ok((mdr_provenance::json(&fit.to_json()).into_owned(), picture))
     })?;
     fitted.map_err(of_library)
 }

@@ -42,8 +42,21 @@ def test_answers_are_pickled(ball: mdr.Contact) -> None:
     assert path.events == ball.path(indentation=[0, -1]).events
     solution = mdr.solve(ball.scene("force", want=["folds"]))
     assert dict(pickle.loads(pickle.dumps(solution))) == dict(solution)
+    scene = ball.scene("force", want=["folds"])
+    assert pickle.loads(pickle.dumps(scene)) == scene
+    for profile in (mdr.Expression("r^2/2"), mdr.Table([0, 1, 2, 3], [0, 1, 4, 9]), mdr.Cone(slope=1) + mdr.Paraboloid(radius=1)):
+        assert pickle.loads(pickle.dumps(profile)) == profile
     record = mdr.records()[0]
     assert pickle.loads(pickle.dumps(record)) is record
+
+
+def test_fits_are_pickled(ball: mdr.Contact) -> None:
+    depth = np.linspace(1e-6, -1e-7, 30)
+    force = ball.states(indentation=depth).force
+    fit = mdr.fit(depth, force, profile=ball.profile, observation="F(d)")
+    again = pickle.loads(pickle.dumps(fit))
+    assert again.to_json() == fit.to_json() and repr(again) == repr(fit)
+    assert str(again.plot()) == str(fit.plot())
 
 
 def test_answers_are_frozen(ball: mdr.Contact) -> None:

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::OnceLock;
 
+use crate::decimal::Decimal;
 use crate::record::Record;
 use crate::text::excerpt;
 
@@ -75,7 +76,8 @@ pub fn record(id: &str) -> Option<&'static Record> {
 /// A selection of records: terms separated by blanks or commas, all of which must be satisfied.
 ///
 /// A term is `key=value`, `key!=value` or `key~part` (contains). Keys: `id`, `profile`, `formula`, `quantity`, `unit`,
-/// `control` (`none` if there is none), `status`, `difficulty`, `flag` (also `physical`: [`Record::is_physical`]). A value or a part that no record has is an
+/// `control` (`none` if there is none), `status`, `difficulty`, `flag` (also `physical`: [`Record::is_physical`]), and the inputs
+/// by their names, such as `n` or `radius`, whose values are compared as numbers: `n=2`, `n=0.5`. A value or a part that no record has is an
 /// error, and so are terms that no record satisfies together: an empty selection due to a typing error would pass every
 /// test.
 ///
@@ -83,6 +85,8 @@ pub fn record(id: &str) -> Option<&'static Record> {
 /// use mdr_reference::{Filter, records};
 /// let filter: Filter = "profile=power control=force difficulty!=higher".parse()?;
 /// assert!(records().iter().any(|record| filter.accepts(record)));
+/// let spheres: Filter = "n=2 formula=critical".parse()?;
+/// assert!(spheres.select().all(|record| record.input("n") == Some("2")));
 /// assert!("colour=red".parse::<Filter>().is_err());
 /// assert!("profile=sfere".parse::<Filter>().is_err());
 /// assert!("control=force control=machine".parse::<Filter>().is_err());
@@ -93,7 +97,7 @@ pub struct Filter(Vec<Term>);
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Term {
-    key: &'static str,
+    key: Key,
     relation: Relation,
     value: String,
 }
@@ -114,11 +118,26 @@ const KEYS: [(&str, Value); 9] = [
     ("flag", |record| record.is_physical().then_some("physical")),
 ];
 
+/// What a term is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Key {
+    Field(&'static str),
+    /// An input by its name.
+    Input(&'static str),
+}
+
+/// The names of all inputs, sorted.
+fn inputs() -> Vec<&'static str> {
+    let names = records().iter().flat_map(|record| record.inputs.iter().map(|(name, _)| name.as_str()));
+    names.collect::<std::collections::BTreeSet<_>>().into_iter().collect()
+}
+
 /// The values of a record under this key.
-fn values<'a>(key: &str, record: &'a Record) -> impl Iterator<Item = &'a str> {
-    let flags = if key == "flag" { record.flags.as_slice() } else { &[] };
-    let own = KEYS.iter().filter(move |(name, _)| *name == key).filter_map(|(_, value)| value(record));
-    flags.iter().map(String::as_str).chain(own)
+fn values(key: Key, record: &Record) -> impl Iterator<Item = &str> {
+    let flags = if key == Key::Field("flag") { record.flags.as_slice() } else { &[] };
+    let own = KEYS.iter().filter(move |(name, _)| Key::Field(name) == key).filter_map(|(_, value)| value(record));
+    let input = if let Key::Input(name) = key { record.input(name) } else { None };
+    flags.iter().map(String::as_str).chain(own).chain(input)
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -142,7 +161,7 @@ enum Wrong {
     /// A term of another form.
     Form,
     /// A value that no record has under this key.
-    Value(&'static str),
+    Value(Key),
     /// Terms that no record satisfies together.
     Empty,
 }
@@ -153,15 +172,20 @@ impl fmt::Display for FilterError {
         match self.wrong {
             Wrong::Form => {
                 let keys = KEYS.map(|(name, _)| name).join(", ");
-                write!(f, "{text} is no condition: expected key=value, key!=value or key~part with one of {keys}")
+                let inputs = inputs().join(", ");
+                write!(
+                    f,
+                    "{text} is no condition: expected key=value, key!=value or key~part with one of {keys}, or an input: {inputs}"
+                )
             }
             Wrong::Empty => write!(f, "no record meets all terms of {text}: leave one out"),
-            Wrong::Value("id") => write!(f, "{text} fits no record: there is no such id"),
-            Wrong::Value(key) => {
+            Wrong::Value(Key::Field("id")) => write!(f, "{text} fits no record: there is no such id"),
+            Wrong::Value(Key::Input(name)) => write!(f, "{text} fits no record: none has this value of {name}"),
+            Wrong::Value(key @ Key::Field(name)) => {
                 let mut values: Vec<&str> = records().iter().flat_map(|record| values(key, record)).collect();
                 values.sort_unstable();
                 values.dedup();
-                write!(f, "{text} fits no record: {key} is one of {}", values.join(", "))
+                write!(f, "{text} fits no record: {name} is one of {}", values.join(", "))
             }
         }
     }
@@ -188,7 +212,9 @@ fn term(text: &str) -> Result<Term, FilterError> {
         .into_iter()
         .find_map(|(sign, relation)| rest.strip_prefix(sign).map(|value| (relation, value)))
         .ok_or_else(error)?;
-    let (key, _) = KEYS.into_iter().find(|(key, _)| *key == name).ok_or_else(error)?;
+    let field = KEYS.into_iter().find(|(key, _)| *key == name).map(|(key, _)| Key::Field(key));
+    let input = || inputs().into_iter().find(|input| *input == name).map(Key::Input);
+    let key = field.or_else(input).ok_or_else(error)?;
     if value.is_empty() {
         return Err(error());
     }
@@ -217,11 +243,23 @@ impl Term {
     fn fits(&self, record: &Record) -> bool {
         values(self.key, record).any(|text| match self.relation {
             Relation::Contains => text.contains(&self.value),
-            Relation::Is | Relation::IsNot => text == self.value,
+            Relation::Is | Relation::IsNot => text == self.value || self.is_number(text),
         })
     }
 
+    /// Whether an input has this value in another notation.
+    fn is_number(&self, text: &str) -> bool {
+        let number = |text: &str| text.parse::<Decimal>().ok();
+        matches!(self.key, Key::Input(_)) && number(text).is_some_and(|own| number(&self.value) == Some(own))
+    }
+
     fn holds(&self, record: &Record) -> bool {
+        // A record without the input is none of another value of it.
+        if let Key::Input(name) = self.key
+            && record.input(name).is_none()
+        {
+            return false;
+        }
         self.fits(record) != (self.relation == Relation::IsNot)
     }
 }

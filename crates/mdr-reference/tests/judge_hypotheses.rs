@@ -427,3 +427,77 @@ fn nothing_is_said_of_random_errors() {
         assert_eq!(erring, []);
     }
 }
+
+/// Names of what is found in answers, which may be none.
+fn names(answer: impl Fn(&Record) -> Option<f64>) -> Vec<String> {
+    explained(answer).into_iter().flat_map(|found| found.names).collect()
+}
+
+/// A certified double, of the questions that have one.
+fn certified(record: &Record) -> Option<f64> {
+    let plain = record.status == Status::Ok && record.formula == "critical";
+    Some(record.nearest()).filter(|value| plain && value.is_normal() && value.abs() < 1e30 && value.abs() > 1e-30)
+}
+
+#[test]
+fn single_precision_is_seen() {
+    let single = |record: &Record| certified(record).map(|value| f64::from(value as f32));
+    assert_eq!(names(single), ["float32"]);
+    // As printed to nine digits, and with the rounding errors of single precision.
+    let printed = |record: &Record| certified(record).map(|value| format!("{:.8e}", value as f32).parse().unwrap());
+    assert_eq!(names(printed), ["float32"]);
+    let rough = |record: &Record| certified(record).map(|value| f64::from((value as f32) * (1.0 + 3.0 * f32::EPSILON)));
+    assert_eq!(names(rough), ["float32"]);
+    // One answer of double precision, right or not, contradicts it; so does an error that is none of rounding.
+    let once = |other: f64| {
+        move |record: &Record| {
+            let value = certified(record)?;
+            Some(if record.id == "critical/jkr-unit/force/force" { value * other } else { f64::from(value as f32) })
+        }
+    };
+    assert!(names(once(1.0)).is_empty());
+    assert!(names(once(1.0 + 1e-9)).is_empty());
+    assert!(names(once(0.5)).is_empty());
+    // Six printed digits are no single precision.
+    let six = |record: &Record| certified(record).map(|value| format!("{value:.5e}").parse().unwrap());
+    assert!(names(six).is_empty());
+}
+
+#[test]
+fn clamped_values_are_seen() {
+    let clamped = |low: f64, high: f64| {
+        move |record: &Record| {
+            certified(record).map(|value| if record.unit == "N" { value.clamp(low, high) } else { value })
+        }
+    };
+    let found = explained(clamped(-1.0, f64::INFINITY));
+    let [only] = found.as_slice() else { panic!("{found:?}") };
+    assert_eq!((only.names[0].as_str(), only.explained), ("clamped", only.not_right));
+    assert!(only.statements[0].contains("clamped to at least -1 N"), "{}", only.statements[0]);
+    // No tension at all.
+    let found = explained(clamped(0.0, f64::INFINITY));
+    assert!(found.iter().any(|found| found.statements[0].contains("clamped to at least 0 N")), "{found:?}");
+    let small =
+        |record: &Record| certified(record).map(|value| if record.unit == "m" { value.min(1e-6) } else { value });
+    assert!(explained(small).iter().any(|found| found.statements[0].contains("clamped to at most 1e-6 m")));
+    // An answer beyond the bound contradicts it.
+    let broken = |record: &Record| {
+        let value = certified(record)?;
+        let kept = record.id == "critical/jkr-unit/force/force";
+        Some(if record.unit == "N" && !kept { value.max(-1.0) } else { value })
+    };
+    assert!(names(broken).is_empty(), "{:?}", explained(broken));
+    assert!(certified(record("critical/jkr-unit/force/force").unwrap()).unwrap() < -1.0);
+}
+
+#[test]
+fn an_absolute_tolerance_is_seen() {
+    let radius = |record: &Record| certified(record).filter(|_| record.quantity == "contact_radius");
+    // Bisection to 10⁻¹² m.
+    let bisected = |record: &Record| radius(record).map(|value| (value / 1e-12).round() * 1e-12);
+    let found = explained(bisected);
+    assert!(found.iter().any(|found| found.names == ["absolute-tolerance"]), "{found:?}");
+    // A relative error is none.
+    let relative = |record: &Record| radius(record).map(|value| value * (1.0 + 1e-9));
+    assert!(names(relative).is_empty(), "{:?}", explained(relative));
+}

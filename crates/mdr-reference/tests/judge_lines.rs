@@ -223,3 +223,62 @@ fn json_and_rows_agree() {
     }
     assert_eq!(rows[3][1..3], ["3".to_owned(), "malformed".to_owned()]);
 }
+
+/// JSON, fields between any marks, and CSV with a header in any order are the same answers.
+#[test]
+fn answers_have_many_notations() {
+    let json = format!(
+        "{{\"id\":\"{PULL_OFF}\",\"value\":\"-4.712\",\"error\":\"0.001\"}}\n{{\"id\":\"{OVERFLOW}\",\"status\":\"overflow\"}}\n"
+    );
+    let expected = read(&json, Rules::default());
+    assert_eq!((expected.answered(), expected.passed()), (2, true));
+    for text in [
+        format!("{PULL_OFF} -4.712 0.001\n{OVERFLOW} overflow\n"),
+        format!("{PULL_OFF}\t-4.712\t0.001\n\n{OVERFLOW}\toverflow\n"),
+        format!("\u{feff}{PULL_OFF},-4.712,0.001\r\n{OVERFLOW},,,overflow\r\n"),
+        format!("# my solver 1.0\nid;value;error;status\n{PULL_OFF};-4.712;0.001;\n{OVERFLOW};;;overflow\n"),
+        format!(
+            "status,error,seconds,value,id\n,1e-3,0.1,-0x1.2d916872b020cp+2,\"{PULL_OFF}\"\noverflow,,0.2,,{OVERFLOW}\n"
+        ),
+        format!("id value\n{PULL_OFF} -4.712\n{OVERFLOW} overflow\n"),
+        format!("{PULL_OFF} -4.712\n{{\"id\":\"{OVERFLOW}\",\"status\":\"overflow\"}}\n"),
+    ] {
+        let report = read(&text, Rules { accept_inaccurate: true, ..Rules::default() });
+        assert_eq!((report.answered(), report.malformed.count), (2, 0), "{text}: {:?}", report.malformed.first);
+        assert_eq!(report.judged.iter().filter(|judged| judged.mark.status_matches).count(), 2, "{text}");
+    }
+    // What is malformed is said, with what a line should be.
+    for (line, why) in [
+        (format!("{PULL_OFF} four"), "value: "),
+        (PULL_OFF.to_owned(), "there is neither a value nor a status beside \"critical/jkr-unit"),
+        (format!("{PULL_OFF} 1 2 ok more"), "5 fields where 4 may be"),
+        (format!("{PULL_OFF};1,5"), "value: "),
+        (format!("{PULL_OFF},-4.712,-1"), "error: must not be negative"),
+        (format!("{PULL_OFF},-4.712,,fine"), "fine"),
+        (",-4.712".to_owned(), "there is no id"),
+        ("[1,2]".to_owned(), "expected an object"),
+        (format!("{PULL_OFF} 1\nid value"), "value: "),
+    ] {
+        let report = read(&line, Rules::default());
+        let (_, message) = &report.malformed.first[0];
+        assert!(message.contains(why), "{line}: {message}");
+        assert!(
+            message.contains("a line is {\"id\": …, \"value\": …}, or an id and its value between blanks"),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn inputs_are_filtered_as_numbers() {
+    let count = |filter: &str| filter.parse::<Filter>().unwrap().select().count();
+    let spheres = records().iter().filter(|record| record.input("n") == Some("2")).count();
+    assert!(spheres > 100 && [count("n=2"), count("n=2.0"), count("n=0.2e1")] == [spheres; 3]);
+    assert_eq!(count("n!=2"), records().iter().filter(|record| record.input("n").is_some()).count() - spheres);
+    assert!(count("n=2 formula=critical control=force") < spheres);
+    for (filter, why) in [("n=77", "none has this value of n"), ("m=2", "or an input: "), ("n=", "expected key=value")]
+    {
+        let error = filter.parse::<Filter>().unwrap_err().to_string();
+        assert!(error.contains(why), "{filter}: {error}");
+    }
+}

@@ -113,3 +113,66 @@ for row, cell in zip(rows, cells[1:], strict=True):
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     }
 }
+
+/// The module is compiled with all warnings and holds what the CSV file holds, where there is a compiler.
+#[test]
+fn fortran_takes_the_module() {
+    let scratch = env::temp_dir().join(format!("mdr-table-f90-{}", std::process::id()));
+    fs::create_dir_all(&scratch).unwrap();
+    let (main, binary) = (scratch.join("main.f90"), scratch.join("main"));
+    let program = "program main\n  use mdr_jkr_sphere\n  implicit none\n  integer :: i\n  do i = 1, rows\n    print '(a, 3es25.16e3)', \
+                   trim(id(i)), force(i), tolerance(i), contact_radius(i)\n  end do\nend program main\n";
+    fs::write(&main, program).unwrap();
+    let [module, main, out] = [&folder().join("jkr-sphere.f90"), &main, &binary].map(|path| path.display().to_string());
+    let folder = scratch.display().to_string();
+    let flags = ["-std=f2008", "-Wall", "-Wextra", "-Werror", "-J", &folder, &module, &main, "-o", &out];
+    if let Some(compiled) = run("gfortran", &flags) {
+        assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+        let printed = String::from_utf8(Command::new(&binary).output().unwrap().stdout).unwrap();
+        let (table, header) = (jkr_sphere(), jkr_sphere().header());
+        let place = |name: &str| header.iter().position(|known| *known == name).unwrap();
+        let mut count = 0;
+        for (line, row) in printed.lines().zip(table.rows()) {
+            let cells: Vec<&str> = line.split_whitespace().collect();
+            assert_eq!(cells[0], row[place("id")]);
+            for (cell, name) in [(cells[1], "force"), (cells[2], "tolerance"), (cells[3], "contact_radius")] {
+                let own = &row[place(name)];
+                assert!(
+                    if own.is_empty() { cell == "NaN" } else { cell.parse::<f64>().unwrap() == own.parse().unwrap() },
+                    "{line}"
+                );
+            }
+            count += 1;
+        }
+        assert_eq!(count, table.rows().count());
+    }
+    fs::remove_dir_all(&scratch).unwrap();
+}
+
+/// Where there is no Julia: every row is a tuple of the columns, no line is longer than Fortran reads, and nothing is interpolated.
+#[test]
+fn julia_and_fortran_have_every_row() {
+    let table = jkr_sphere();
+    let julia = table.write(TableFormat::Julia);
+    let rows: Vec<&str> = julia.lines().filter(|line| line.starts_with("    (")).collect();
+    assert_eq!(rows.len(), table.rows().count());
+    for (line, row) in rows.iter().zip(table.rows()) {
+        for (name, cell) in table.header().into_iter().zip(row) {
+            let value = if cell.is_empty() { "NaN".to_owned() } else { cell };
+            let given = [format!("{name} = {value}"), format!("{name} = \"{value}\""), format!("{name} = \"\"")];
+            assert!(given.iter().any(|given| line.contains(given)), "{name}: {line}");
+        }
+        assert!(!line.replace("\\$", "").contains('$'), "{line}");
+    }
+    assert!(table.write(TableFormat::Fortran).lines().all(|line| line.chars().count() <= 132));
+    if let Some(output) = run(
+        "julia",
+        &[
+            "-e",
+            "include(ARGS[1]); @assert length(JKR_SPHERE) == 43",
+            &folder().join("jkr-sphere.jl").display().to_string(),
+        ],
+    ) {
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}

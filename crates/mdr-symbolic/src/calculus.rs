@@ -8,7 +8,7 @@ use crate::symbol::Symbol;
 
 impl Expression {
     /// The derivative with respect to a symbol, by the chain rule for the symbols that are functions of it: g' = dg/da,
-    /// g = dG/da, g² = dQ/da, and sine and cosine of θ.
+    /// g = dG/da, g² = dQ/da, the slopes of S and Δl of any medium, and sine and cosine of θ.
     ///
     /// # Errors
     /// [`Error::Transcendental`] if a derivative has no symbol, such as g''.

@@ -12,6 +12,9 @@ pub enum Error {
     /// A divisor is identically zero.
     #[error("division by zero")]
     DivisionByZero,
+    /// A divisor that may be identically zero by a relation of its symbols which the algebra does not include.
+    #[error("the divisor {0} may be zero by a relation of its symbols: write it with one of them")]
+    Divisor(String),
     /// A real power of an expression that is not positive everywhere on the domain.
     #[error("a real power of {base}, which is not known to be positive for {domain}")]
     NotPositive {

@@ -67,9 +67,12 @@
 //! **A divisor whose normal form is 0** is 0 on the whole domain: a formula that divides by it has a value nowhere,
 //! whatever the rest of it is ([`Statement::divides_by_zero`]). Then nothing can be proved or refuted. The divisors are
 //! those of the formula as written: x²/x² has no value at x = 0, although its normal form is 1. Below an integral it is one
-//! if it is 0 along the whole range. A base is one unless its exponent is certainly not negative, and so is a pole of Γ.
+//! if it is 0 along the whole range. A base is one unless its exponent is certainly positive or is written as a natural
+//! number, and so is a pole of Γ. A divisor that is 0 by cos²θ = 1 − sin²θ is 0; where another relation of symbols leaves
+//! that open, the statement stays open too ([`Error::Divisor`]).
 //!
-//! **A value for one of several that belong together**, for g while g' or ∫g occurs, is refused ([`Error::Related`]).
+//! **A value for one of several that belong together**, for g while g' or ∫g occurs, is refused ([`Error::Related`]), and so is
+//! a derivative or an integral along it: ∂(sin²θ + cos²θ)/∂sinθ would hold cosθ fixed.
 //!
 //! A sign ([`Expression::sign_on`]) is proved if the coefficients of all terms have it on the whole domain, and is
 //! undecided otherwise.

@@ -17,18 +17,22 @@ pub(crate) const PROFILE: [&str; 4] = ["g", "g'", "G", "Q"];
 /// The symbols that belong to one angle.
 const ANGLE: [&str; 3] = ["θ", "sinθ", "cosθ"];
 
+/// The symbols that belong to one n, by (1.12).
+const EXPONENT: [&str; 4] = ["κ", "Γ(n/2)", "Γ((n+1)/2)", "Γ(3/4)"];
+
 impl Symbol {
-    /// The other symbols that belong to the same profile or angle.
+    /// The other symbols that belong to the same profile, angle or n.
     pub(crate) fn relatives(self) -> impl Iterator<Item = Symbol> {
-        let family =
-            [&PROFILE[..], &ANGLE].into_iter().find(|family| family.contains(&self.name())).unwrap_or_default();
+        let family = [&PROFILE[..], &ANGLE, &EXPONENT]
+            .into_iter()
+            .find(|family| family.contains(&self.name()))
+            .unwrap_or_default();
         family.iter().filter_map(|name| Symbol::named(name)).filter(move |other| *other != self)
     }
 
     /// Whether it is a number of its own: neither κ nor Γ, which n determines, nor one of a profile or an angle.
     pub(crate) fn is_free(self) -> bool {
-        let of_n = [Symbol::KAPPA, Symbol::GAMMA_LOWER, Symbol::GAMMA_UPPER, Symbol::GAMMA_THREE_QUARTERS];
-        !of_n.contains(&self) && self.relatives().next().is_none()
+        self.relatives().next().is_none()
     }
 }
 
@@ -56,6 +60,15 @@ impl Expression {
             sum = &sum + &term.times(&power(&Self::symbol(cosine), single)?)?;
         }
         Ok(sum)
+    }
+
+    /// Whether it is 0 on the domain, also by the relations of its symbols; `None` where they leave that open.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`](crate::Error::TooLarge) for too large a power of the cosine.
+    pub(crate) fn vanishes(&self, domain: Domain) -> Result<Option<bool>> {
+        let rest = self.with_one_cosine()?;
+        Ok(if rest.is_zero() { Some(true) } else { rest.related_symbols(domain).is_none().then_some(false) })
     }
 
     /// Symbols in which the terms differ and that are related on the domain.

@@ -150,6 +150,8 @@ impl Statement {
 
     fn try_decide(&self, domain: Domain) -> Result<Decision> {
         let (left, right) = (self.left.normalise(domain)?, self.right.normalise(domain)?);
+        self.left.refuse_divisors(domain)?;
+        self.right.refuse_divisors(domain)?;
         if self.relation == Relation::SameDimension {
             return Ok(same_dimension(self.left.dimension(domain), self.right.dimension(domain)));
         }

@@ -7,7 +7,7 @@ use crate::table::rows;
 
 /// A symbol: a positive real number, independent of all others.
 ///
-/// Some are functions of another one, and are then differentiated by a rule: g, G and Q of a, sinθ and cosθ of θ. The
+/// Some are functions of another one, and are then differentiated by a rule: g, G, Q, S and l of a, sinθ and cosθ of θ. The
 /// [documentation of the crate](crate#what-is-proved-and-where) lists those that are not independent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Symbol(usize);
@@ -96,7 +96,9 @@ impl Symbol {
             ("g", "a") => Some(Some((1, of("g'"), 1))),
             ("G", "a") => Some(Some((1, of("g"), 1))),
             ("Q", "a") => Some(Some((1, of("g"), 2))),
-            ("g'", "a") => Some(None),
+            ("S", "a") => Some(Some((1, of("S'"), 1))),
+            ("l", "a") => Some(Some((1, of("l'"), 1))),
+            ("g'" | "S'" | "l'" | "A'", "a") => Some(None),
             ("sinθ", "θ") => Some(Some((1, of("cosθ"), 1))),
             ("cosθ", "θ") => Some(Some((-1, of("sinθ"), 1))),
             _ => None,

@@ -38,7 +38,11 @@ proptest! {
 
     #[test]
     fn division_leaves_a_smaller_rest(p in polynomial(), q in polynomial()) {
-        prop_assume!(!q.is_zero());
+        // One in four is zero: to reject them all would end a long run.
+        if q.is_zero() {
+            prop_assert!(p.divide(&q).is_err());
+            return Ok(());
+        }
         let (quotient, rest) = p.divide(&q).unwrap();
         prop_assert_eq!(&(&quotient * &q) + &rest, p);
         prop_assert!(rest.is_zero() || rest.degree() < q.degree());

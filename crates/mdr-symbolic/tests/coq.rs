@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
-use mdr_symbolic::derivations::{Claim, entries, statements_in_coq};
+use mdr_symbolic::derivations::{Claim, entries, statements_in_coq, theorems};
 
 const PROOFS: &str = include_str!("../../../docs/proofs/Steps.v");
+const BY_THEOREM: &str = include_str!("../../../docs/proofs/StepTheorems.v");
 const STATEMENTS: &str = include_str!("../../../docs/proofs/Statements.v");
 
 /// Regenerate with `mdr derive --format coq > docs/proofs/Statements.v`, or with MDR_GOLDENS=overwrite.
@@ -24,16 +25,23 @@ fn the_statements_in_coq_are_those_of_the_steps() {
 /// What the pages call proved in Coq has a proof there, under the statement of that name; what has none is listed.
 #[test]
 fn proved_steps_have_proofs() {
-    let proved = |name: &str| PROOFS.contains(&format!("Lemma prove_{name} : {name}.\nProof."));
+    let has = |proofs: &str, name: &str| proofs.contains(&format!("Lemma prove_{name} : {name}.\nProof."));
     let steps: Vec<_> = entries()
         .iter()
         .flat_map(|entry| entry.steps.iter().enumerate().map(move |(i, step)| (entry.step_in_coq(i), step)))
         .collect();
     for (name, step) in &steps {
-        assert_eq!(step.proved_in_coq().is_some(), proved(name), "{name}");
-        assert!(step.claim == Claim::Proved || !proved(name), "{name}");
+        assert_eq!(step.proved_in_coq().is_some(), has(PROOFS, name) || has(BY_THEOREM, name), "{name}");
+        assert!(step.claim == Claim::Proved || !has(PROOFS, name), "{name}");
+        assert_eq!(step.by_theorem().is_some(), has(BY_THEOREM, name), "{name}");
+        assert!(
+            step.by_theorem().is_none_or(|by| by.is_empty() || theorems().any(|theorem| theorem.name == by)),
+            "{name}"
+        );
     }
     let count = steps.iter().filter(|(_, step)| step.proved_in_coq().is_some()).count();
     assert!(count > 125, "{count}");
-    assert!(!["Admitted", "admit", "Abort", "Axiom"].iter().any(|word| PROOFS.contains(word)));
+    assert!(
+        !["Admitted", "admit", "Abort", "Axiom"].iter().any(|word| PROOFS.contains(word) || BY_THEOREM.contains(word))
+    );
 }

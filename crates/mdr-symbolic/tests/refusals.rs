@@ -231,6 +231,105 @@ fn hidden_divisors() {
     proved("at(n*Γ(n/2), n, 2) = 2", Domain::Positive);
 }
 
+/// Divisors that are 0 by cos²θ = 1 − sin²θ or by (1.12) are 0, although their normal forms are not; one of which that is
+/// not known leaves the statement open.
+#[test]
+fn divisors_that_a_relation_makes_zero() {
+    let zero = [
+        "(sinθ^2 + cosθ^2 - 1)/(sinθ^2 + cosθ^2 - 1) = 1",
+        "a*(1 - sinθ^2 - cosθ^2)^(n - n - 1)*(1 - sinθ^2 - cosθ^2) = a",
+        "1/(1/(cosθ^4 - 1 + 2*sinθ^2 - sinθ^4)) = 0",
+        "at((x - cosθ^2)/(x - cosθ^2), x, 1 - sinθ^2) = 1",
+        "x/(sinθ^2 + cosθ^2 - 1) < x",
+        "x/(sinθ^2 + cosθ^2 - 1) ~ x",
+    ];
+    for text in zero {
+        let error = refusal(text, Domain::Positive);
+        assert!(matches!(error, Error::DivisionByZero), "{text}: {error}");
+    }
+    let open = [
+        ("(κ - kappa(n))/(κ - kappa(n)) = 1", Domain::Positive),
+        ("(κ*Γ((n + 1)/2) - sqrt(π)/2*n*Γ(n/2))^(n - n - 1)*0 = 0", Domain::Above),
+        ("at((x - κ)/(x - κ), x, kappa(n)) = 1", Domain::Below),
+        ("(κ - kappa(1/2))/(κ - kappa(1/2)) = 1", Domain::Half),
+    ];
+    for (text, domain) in open {
+        let error = refusal(text, domain);
+        assert!(matches!(error, Error::Divisor(_)), "{text}: {error}");
+    }
+    // Those that are not 0, by the relation too.
+    proved("(sinθ^2 + cosθ^2)/(sinθ^2 + cosθ^2) = 1", Domain::Positive);
+    proved("(sinθ - cosθ)/(sinθ - cosθ) = 1", Domain::Positive);
+    proved("at((x - cosθ^2)/(x - cosθ^2), x, 2 - sinθ^2) = 1", Domain::Positive);
+    proved("(κ - 1)/(κ - 1) = 1", Domain::Positive);
+    refuted("1/(sinθ^2 - cosθ^2) = 1", Domain::Positive);
+}
+
+/// 0 to a calculated power 0 is a real power, and has no value; a power that is written as 0 is 1.
+#[test]
+fn zero_to_the_power_zero() {
+    let cases = [
+        ("at(x^(n - n), x, 0) = 1", Domain::Positive),
+        ("at(x^(2*n - 1), x, 0) = 1", Domain::Half),
+        ("at(int(y^(n - n), x, a), y, 0) = a", Domain::Positive),
+        ("at((2*n - 1)^(n - n), n, 1/2) = 1", Domain::Positive),
+        ("(a - a)^(n - n) = 1", Domain::Positive),
+        ("(sinθ^2 + cosθ^2 - 1)^(n - n) = 1", Domain::Positive),
+        ("at((x - a)^(n/n - 1), x, a) = 1", Domain::Positive),
+    ];
+    for (text, domain) in cases {
+        let error = refusal(text, domain);
+        assert!(matches!(error, Error::DivisionByZero), "{text}: {error}");
+    }
+    proved("at(x^0, x, 0) = 1", Domain::Positive);
+    proved("x^(n - n) = 1", Domain::Positive);
+    proved("at(x^(n - n), x, a) = 1", Domain::Positive);
+}
+
+/// A derivative or an integral along one of several symbols that belong together would hold the others fixed.
+#[test]
+fn operations_along_one_of_a_family() {
+    let cases = [
+        "diff(sinθ^2 + cosθ^2, sinθ) = 2*sinθ",
+        "diff(cosθ, sinθ) = 0",
+        "diff(θ, cosθ) = 0",
+        "int(sinθ^2 + cosθ^2, sinθ, a) = a^3/3 + a*cosθ^2",
+        "int(cosθ, sinθ, 1) = cosθ",
+        "diff(g*g', g) = g'",
+        "int(g', g, x) = x*g'",
+        "diff(G, g) = 0",
+        "diff(diff(g, a), g) = 0",
+        "int(diff(g^2, a), g, x) = x^2*g'",
+        "diff(kappa(n), κ) = 0",
+        "at(kappa(n)/κ, κ, 1) = kappa(n)",
+        "int(κ/Γ(n/2), κ, a) = a^2/2/Γ(n/2)",
+        "at(int(g*g', g, x), x, 0) = 0",
+        "diff(int(cosθ, x, a), sinθ) = 0",
+    ];
+    for text in cases {
+        let error = refusal(text, Domain::Positive);
+        assert!(matches!(error, Error::Related { .. }), "{text}: {error}");
+    }
+    // What the chain rule knows, and a symbol alone.
+    proved("diff(sinθ^2 + cosθ^2, θ) = 0", Domain::Positive);
+    proved("diff(sinθ^2, sinθ) = 2*sinθ", Domain::Positive);
+    proved("int(g, g, x) = x^2/2", Domain::Positive);
+    proved("diff(d*κ^2, κ) = 2*d*κ", Domain::Positive);
+    // The stiffness and the elongation of any medium are functions of the size.
+    proved("diff(S*l, a) = S'*l + S*l'", Domain::Positive);
+    refuted("diff(S, a) = 0", Domain::Positive);
+    assert!(matches!(refusal("diff(S', a) = 0", Domain::Positive), Error::Transcendental(_)));
+    assert!(matches!(refusal("int(S, a, a) = S*a", Domain::Positive), Error::Transcendental(_)));
+}
+
+/// The point inside an integral stands for no symbol of the operation around it.
+#[test]
+fn values_for_symbols_that_do_not_occur() {
+    for symbol in ["E", "w", "C", "k", "R", "x", "y", "ρ"] {
+        proved(&format!("at(int(t/t, t, a), {symbol}, 0) = a"), Domain::Positive);
+    }
+}
+
 /// A value for g leaves its slope and its integrals those of another function; so does one for the sine of an angle.
 #[test]
 fn values_for_one_of_a_family() {

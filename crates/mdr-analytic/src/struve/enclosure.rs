@@ -76,15 +76,15 @@ fn envelope(z: &Interval, order: i64) -> Interval {
 fn at_point<const N: usize>(z: &Interval, orders: [i64; N]) -> [Interval; N] {
     // Above the range of doubles the argument is infinite here, which counts as large.
     if z.mid().to_f64() > 0.7 * f64::from(z.precision()) + 10.0 {
-        let decaying = decaying(z);
+        let decaying = decaying(z, GUARD);
         orders.map(|order| bessel(z, order) + &decaying[order as usize])
     } else {
-        let both = near(z);
+        let both = near(z, GUARD);
         orders.map(|order| both[order as usize].clone())
     }
 }
 
-/// Guard bits of the sums in fixed point.
+/// Guard bits of the sums in fixed point. Enclosures are right without any, and with them as tight as their precision.
 const GUARD: u32 = 40;
 
 /// H₀ = (2/π) z Σ (−1)ᵏ uₖ and H₁ = (2/π) z² Σ (−1)ᵏ uₖ/(2k+3), u₀ = 1 and uₖ₊₁ = uₖ z²/(2k+3)², in fixed point of w bits.
@@ -94,10 +94,10 @@ const GUARD: u32 = 40;
 /// terms. So the error of uₖ is at most (2k+1)U units, that of K terms (K+1)²U, with one unit each for the quotients of
 /// H₁. U < 2(M+1), where M is the largest computed term, as K is far below 2ʷ. Once the terms are below a unit they
 /// decrease, and so do the omitted ones.
-fn near(z: &Interval) -> [Interval; 2] {
+fn near(z: &Interval, guard: u32) -> [Interval; 2] {
     let bits = z.precision();
     // U < 2^1.45z, as the argument is below 0.7 p + 10.
-    let unit = bits + (1.45 * z.mid().to_f64()) as u32 + GUARD;
+    let unit = bits + (1.45 * z.mid().to_f64()) as u32 + guard;
     let square = fixed(Float::with_val(2 * bits, z.lower().square_ref()), unit);
     let mut term = Integer::from(1) << unit;
     let (mut largest, mut sums) = (term.clone(), [term.clone(), Integer::from(&term / 3u32)]);
@@ -117,8 +117,8 @@ fn near(z: &Interval) -> [Interval; 2] {
     }
     let steps = Integer::from(k + 2);
     let error = ((largest >> unit) + 2u32) * 2u32 * Integer::from(steps.square_ref()) + steps;
-    let [zero, one] = sums.map(|sum| enclosed(&sum, &error, unit, bits + GUARD));
-    let wide = z.rounded(Precision::new(bits + GUARD));
+    let [zero, one] = sums.map(|sum| enclosed(&sum, &error, unit, bits + guard));
+    let wide = z.rounded(Precision::new(bits + guard));
     let share = wide.clone().times(2) / wide.pi();
     [zero * &share, one * share * wide].map(|value| value.rounded(z.ctx()))
 }
@@ -128,9 +128,9 @@ fn near(z: &Interval) -> [Interval; 2] {
 ///
 /// While 2k + 1 < z the terms decrease, and no (2k+1)² cₖ exceeds one. So a step adds to the error of a term less than
 /// two units for that of 1/z² and one for its own rounding, and K terms have less than 3(K+1)² units in all.
-fn decaying(z: &Interval) -> [Interval; 2] {
+fn decaying(z: &Interval, guard: u32) -> [Interval; 2] {
     let (bits, x) = (z.precision(), z.lower());
-    let unit = bits + GUARD;
+    let unit = bits + guard;
     let inverse = fixed(Float::with_val(unit, x).square().recip(), unit);
     let mut term = Integer::from(1) << unit;
     let mut sums = [term.clone(), term.clone()];
@@ -200,3 +200,7 @@ fn rounded<const N: usize>(z: &Float, orders: [i64; N]) -> [Float; N] {
     let fine = Interval::point(Float::with_val(z.prec() + 16, z));
     spread(&fine, orders).map(|value| Float::with_val(z.prec(), value.mid()))
 }
+
+#[cfg(test)]
+#[path = "../../tests/private/struve.rs"]
+mod tests;

@@ -84,3 +84,42 @@ fn remainders_are_bounds_and_not_generous() {
         }
     }
 }
+
+/// Without guard bits the count alone says how far a value may be off: a series that ends a term too early shows.
+#[test]
+fn counts_of_few_bits_bound_the_error() {
+    for bits in 8..=48 {
+        let check = |what: &str, n: &rug::Rational, found: mdr_core::number::RoundingCount| {
+            let truth = Float::kappa(&Float::with_val(500, n));
+            let enclosure = found.enclosure(Precision::new(400));
+            assert!(enclosure.contains(&truth), "{what}, n = {n}, {bits} bits: {found:?} is not {truth}");
+        };
+        for (p, q) in [(1, 7), (3, 10), (2, 5), (1, 100), (4, 9), (6, 5), (7, 5), (11, 6), (12, 5)] {
+            let n = rug::Rational::from((p, q));
+            check("series", &n, rational::expansion(&n, bits));
+        }
+        for (p, q) in [(1, 2), (3, 4), (1, 3), (5, 3), (7, 2), (6, 1), (8, 1)] {
+            let n = rug::Rational::from((p, q));
+            if let Some(mean) = elliptic::kappa(&n, bits) {
+                check("mean", &n, mean);
+            }
+        }
+        // Numbers of five bits, which are exact.
+        for (p, q) in [(1, 16), (5, 8), (13, 8), (21, 4), (19, 1), (31, 1), (480, 1)] {
+            let n = rug::Rational::from((p, q));
+            check("fraction", &n, shifted::kappa(&Float::with_val(bits, &n), bits));
+        }
+    }
+}
+
+/// The number of terms leaves what it says: twice the first term that is left out, which is the width of the enclosure.
+#[test]
+fn as_many_terms_as_the_bits_need() {
+    for bits in (8..=200).step_by(8) {
+        for n in [0.01, 0.3, 1.7, 5.1, 12.3, 40.7] {
+            let point = Interval::point(Float::with_val(600, n));
+            let found = series::kappa(&point, series::terms(n, bits));
+            assert!(found.radius() <= Float::with_val(600, 2) >> bits, "n = {n}, {bits} bits: {found:?}");
+        }
+    }
+}

@@ -46,6 +46,9 @@ enum Format {
 struct Program {
     title: &'static str,
     version: &'static str,
+    /// Where it is known; `+` stands for changes that are in no commit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    commit: Option<&'static str>,
     authors: [&'static str; 1],
     license: &'static str,
     /// Until one is assigned there is none.
@@ -55,6 +58,7 @@ struct Program {
 const PROGRAM: Program = Program {
     title: "mdr: reference software for adhesion instabilities of axisymmetric contacts",
     version: env!("CARGO_PKG_VERSION"),
+    commit: mdr_provenance::COMMIT,
     authors: ["the mdr developers"],
     license: env!("CARGO_PKG_LICENSE"),
     doi: None,
@@ -124,7 +128,8 @@ impl Cite {
         match self.format {
             Format::Text => out.text(citation.text().trim_end()),
             Format::Bibtex => out.text(citation.bibtex().trim_end()),
-            Format::Json => out.json(&citation),
+            // The key `program` is the work to be cited here, with its commit.
+            Format::Json => out.text(serde_json::to_string(&citation).unwrap_or_default()),
         }
     }
 }

@@ -94,14 +94,11 @@ fn json_lines(
             ask(text, arithmetic)
         });
         all &= answer.is_ok();
-        let written = match &answer {
-            Ok(answer) => serde_json::to_writer(&mut out, answer),
-            Err(why) => {
-                serde_json::to_writer(&mut out, &Refused { schema: "mdr.critical/1", status: "domain-error", why })
-            }
+        let line = match &answer {
+            Ok(answer) => serde_json::to_string(answer),
+            Err(why) => serde_json::to_string(&Refused { schema: "mdr.critical/1", status: "domain-error", why }),
         };
-        written.map_err(unwritten)?;
-        out.write_all(b"\n").map_err(unwritten)?;
+        writeln!(out, "{}", mdr_provenance::json(&line.map_err(unwritten)?)).map_err(unwritten)?;
     }
     out.flush().map(|()| all).map_err(unwritten)
 }

@@ -44,12 +44,17 @@ impl Report {
         let write = |name: &str, text: &str| files::write("", &self.out.join(name), text);
         for (task, comparisons) in &findings.tasks {
             let questions: Vec<_> = comparisons.iter().map(question).collect();
-            write(&format!("{}.svg", task.name), &mdr_plot::comparison(task.title, &questions).svg())?;
+            write(
+                &format!("{}.svg", task.name),
+                &mdr_provenance::svg(&mdr_plot::comparison(task.title, &questions).svg()),
+            )?;
         }
-        files::create("", &self.out.join("work-precision.csv"), |out| {
+        files::create_csv("", &self.out.join("work-precision.csv"), |out| {
             out.records(findings.comparisons().flat_map(Comparison::rows))
         })?;
-        files::create("", &self.out.join("ladders.csv"), |out| out.records(findings.ladders.iter().map(Ladder::row)))?;
+        files::create_csv("", &self.out.join("ladders.csv"), |out| {
+            out.records(findings.ladders.iter().map(Ladder::row))
+        })?;
         let command = if self.quick { "mdr report --quick" } else { "mdr report" };
         let origin =
             format!("    {command}\n\nMedians of {runs} runs, fewer where an answer takes long. {}", footer::machine());

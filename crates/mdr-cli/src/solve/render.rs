@@ -88,7 +88,7 @@ pub(crate) fn write_files(
     let plain = style.plain();
     for output in &answer.outputs {
         let file = folder.join(format!("{}.csv", output.kind().name()));
-        files::create("--out", &file, |out| out.spreadsheet(&answer.spreadsheet_of(output, scene, style)))?;
+        files::create_csv("--out", &file, |out| out.spreadsheet(&answer.spreadsheet_of(output, scene, style)))?;
         out.text(file.display())?;
         output.sentences(&plain).iter().try_for_each(|sentence| out.text(sentence))?;
     }

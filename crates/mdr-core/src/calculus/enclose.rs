@@ -2,7 +2,7 @@
 //! bound of its remainder.
 //!
 //! # The bound
-//! Let f be analytic in the closed ellipse with the foci m ± h and the sum of half-axes ρh, and |f − c| ≤ M there for a real
+//! Let f be analytic inside the ellipse with the foci m ± h and the sum of half-axes ρh, and |f − c| ≤ M there for a real
 //! constant c. The rule of N ≥ 2 nodes on m ± h is off by at most
 //!
 //! (64/15) M h / ((1 − ρ⁻²) ρ^(2N)).
@@ -41,6 +41,36 @@ pub trait Integrand {
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>>;
 }
 
+/// Several functions that are integrated together, by what a rule needs of them: their values may come from another formula than
+/// the proof that they are analytic. Each [`Integrand`] is one.
+pub trait Sampled {
+    /// Enclosures of the values at a real t; `None` where one is not defined.
+    ///
+    /// # Errors
+    /// Errors of the computation of the values.
+    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>>;
+
+    /// Enclosures over a complex set, on which all functions are shown to be analytic; `None` otherwise.
+    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>>;
+
+    /// Enclosures over a real interval; `None` where one is not defined.
+    fn range(&self, t: &Interval) -> Option<Vec<Interval>>;
+}
+
+impl<F: Integrand> Sampled for F {
+    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
+        Ok(self.at(t))
+    }
+
+    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
+        self.at(t)
+    }
+
+    fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
+        self.at(t)
+    }
+}
+
 /// What is asked of an integral.
 #[derive(Clone, Debug)]
 pub struct Goal {
@@ -75,14 +105,14 @@ pub struct Goal {
 ///
 /// # Errors
 /// [`Error::Undecided`] when the pieces are spent, when an end of a piece is no longer exact, and where a function is not
-/// defined at a node.
-pub fn enclose(f: &impl Integrand, [lower, upper]: [&Float; 2], goal: &Goal) -> Result<Vec<Interval>> {
+/// defined at a node; errors of the values.
+pub fn enclose(f: &impl Sampled, [lower, upper]: [&Float; 2], goal: &Goal) -> Result<Vec<Interval>> {
     pieces(f, [lower, upper], goal, |_, remainder| remainder)
 }
 
 /// The integrals with the remainders of the rules, by the number of the piece, as `remainder` takes them.
 fn pieces(
-    f: &impl Integrand,
+    f: &impl Sampled,
     [lower, upper]: [&Float; 2],
     goal: &Goal,
     mut remainder: impl FnMut(usize, Float) -> Float,
@@ -176,7 +206,7 @@ struct Rule {
 
 impl Rule {
     /// h Σ w f; `None` where a function is not defined.
-    fn sum(&self, f: &impl Integrand, [middle, half]: [&Float; 2], bits: u32) -> Result<Option<Vec<Interval>>> {
+    fn sum(&self, f: &impl Sampled, [middle, half]: [&Float; 2], bits: u32) -> Result<Option<Vec<Interval>>> {
         let precision = Precision::new(bits);
         let point = |value: &Float| Interval::point(value.clone()).rounded(precision);
         let (middle, half) = (point(middle), point(half));
@@ -184,7 +214,7 @@ impl Rule {
         for (node, weight) in &legendre::rule(self.nodes, bits)?.nodes {
             let step = half.clone() * node;
             for t in [middle.clone() + &step, middle.clone() - &step] {
-                let Some(values) = f.at(&t) else { return Ok(None) };
+                let Some(values) = f.values(&t)? else { return Ok(None) };
                 let terms = values.into_iter().map(|value| value * weight);
                 sums = Some(match sums {
                     None => terms.collect(),
@@ -198,7 +228,7 @@ impl Rule {
 
 /// The rule with the fewest nodes: from one ellipse to larger ones while that helps, else to smaller ones. No ellipse is
 /// larger than one on which a function is not analytic.
-fn best_rule(f: &impl Integrand, middle: &Float, half: &Float, from: usize, tolerances: &[Float]) -> Option<Rule> {
+fn best_rule(f: &impl Sampled, middle: &Float, half: &Float, from: usize, tolerances: &[Float]) -> Option<Rule> {
     let mut best: Option<Rule> = None;
     let mut consider = |ellipse: usize| {
         let bounds = bounds(f, middle, half, ELLIPSES[ellipse])?;
@@ -226,12 +256,12 @@ fn best_rule(f: &impl Integrand, middle: &Float, half: &Float, from: usize, tole
 
 /// M of each function on an ellipse; `None` if one is not shown to be analytic. The upper half of the rectangle around it
 /// is enough, as f takes conjugate values at conjugate points.
-fn bounds(f: &impl Integrand, middle: &Float, half: &Float, rho: f64) -> Option<Vec<Float>> {
+fn bounds(f: &impl Sampled, middle: &Float, half: &Float, rho: f64) -> Option<Vec<Float>> {
     // Half-axes rounded up by more than their roundings.
     let axis = |sign: f64| rounded!(Up, half * ((rho + sign / rho) / 2.0 * (1.0 + 1e-7)));
     let [long, short] = [axis(1.0), axis(-1.0)];
     let re = Interval::new(rounded!(Down, middle - &long), rounded!(Up, middle + &long));
-    let image = f.at(&Rectangle::new(re, Interval::new(Float::new(BOUND_BITS), short)))?;
+    let image = f.image(&Rectangle::new(re, Interval::new(Float::new(BOUND_BITS), short)))?;
     image
         .iter()
         .map(|value| {
@@ -272,11 +302,11 @@ fn error_of_rule(bound: &Float, half: &Float, ellipse: usize, nodes: usize) -> F
 }
 
 /// Length times range, where that is narrow enough for all functions.
-fn by_range(f: &impl Integrand, piece: &Piece, tolerances: &[Float]) -> Option<Vec<Interval>> {
+fn by_range(f: &impl Sampled, piece: &Piece, tolerances: &[Float]) -> Option<Vec<Interval>> {
     let over = Interval::new(rounded!(Down, &piece.lower), rounded!(Up, &piece.upper));
     let length = rounded!(Down, &piece.upper - &piece.lower);
     let length = Interval::new(length, rounded!(Up, &piece.upper - &piece.lower));
-    let areas = f.at(&over)?.into_iter().zip(tolerances).map(|(range, tolerance)| {
+    let areas = f.range(&over)?.into_iter().zip(tolerances).map(|(range, tolerance)| {
         let area = range * &length;
         let narrow = area.is_finite() && rounded!(Up, area.upper() - area.lower()) <= *tolerance;
         narrow.then_some(area)

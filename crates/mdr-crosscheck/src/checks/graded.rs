@@ -4,8 +4,9 @@
 use mdr_analytic::media::{GradedContact, GradedHalfSpace};
 use mdr_core::calculus::quadrature::tanh_sinh_near_ends;
 use mdr_core::calculus::roundoff_tolerance;
-use mdr_core::contact::{Control, Result};
+use mdr_core::contact::{Control, Error, Quantity, Result};
 use mdr_core::number::{Dual, Real};
+use rug::Float;
 
 use crate::arithmetic::Arithmetic;
 use crate::tolerance::{KAPPA, quadrature};
@@ -63,11 +64,51 @@ impl<R: Arithmetic> Drawn<R> {
         GradedContact::with_kappa(n, c, kappa, medium)
     }
 
-    /// A radius within a factor of e³ of where g' and Δl' balance under a dead load.
+    /// A radius within a factor of e³ of where g' and Δl' balance under a dead load; any, where that is out of range, as for n close
+    /// to (1−k)/2.
     fn radius(&self, trial: &mut Trial<'_>) -> Result<R> {
-        let near = self.contact.critical(&Control::Force)?.contact_radius;
+        let near = match self.contact.critical(&Control::Force) {
+            Err(Error::OutOfRange { .. }) => self.numbers[0].lit(1),
+            state => state?.contact_radius,
+        };
         let stretch = R::from_f64(near.ctx(), trial.uniform(-3.0, 3.0) / (self.n + 1.0));
         Ok(near * stretch.exp())
+    }
+
+    /// A refusal for range, against the logarithms of the same quantity of states (a, d, F) in 200 bits. The logarithm of a is a
+    /// sum of one of each number, each with its rounding, over 2n−1+k, which has one itself.
+    fn is_beyond(
+        &self,
+        trial: &mut Trial<'_>,
+        (quantity, log10): (Quantity, f64),
+        states: impl FnOnce(&GradedContact<Float>) -> Result<Vec<[Float; 3]>>,
+    ) -> Result<()> {
+        const BITS: u32 = 200;
+        let numbers = self.numbers.each_ref().map(|x| Float::with_val(BITS, x.widen()));
+        let largest = numbers.iter().map(|x| x.clone().abs().ln().approx().abs()).fold(1.0, f64::max);
+        let [n, c, _, k, coefficient, work] = numbers;
+        let medium = if self.k == 1.0 {
+            GradedHalfSpace::winkler(coefficient.clone() / coefficient.pi(), work)?
+        } else {
+            GradedHalfSpace::new(k, coefficient, work)?
+        };
+        let states = states(&GradedContact::new(n, c, medium)?)?;
+        let logs = states.into_iter().filter_map(|[a, d, f]| {
+            let value = match quantity {
+                Quantity::ContactRadius => a,
+                Quantity::Indentation => d,
+                Quantity::Force => f,
+                _ => return None,
+            };
+            Some(value.abs().ln().approx() / std::f64::consts::LN_10)
+        });
+        let error = logs.map(|exact| (exact - log10).abs()).fold(f64::INFINITY, f64::min);
+        let excess = (2.0 * self.n - 1.0 + self.k).abs();
+        let allowed = (self.n + 2.0) * (kappa_roundings(self.n) + 40.0 + 16.0 * largest) / excess
+            + log10.abs() * (4.0 + 2.0 / excess);
+        trial.enter(format!("log₁₀ of {quantity}"), error / self.numbers[0].unit_roundoff().approx(), allowed);
+        trial.demand(format!("{quantity} is out of range"), log10.abs() > 307.0);
+        Ok(())
     }
 
     /// Roundings of g, and of Δl with its power.
@@ -159,7 +200,17 @@ pub(super) fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::
     };
     let controls = if drawn.k == 1.0 { vec![Control::Force] } else { vec![Control::Indentation, Control::Force] };
     for control in controls {
-        let state = trial.closed.graded_critical(contact, &control)?;
+        let state = match trial.closed.graded_critical(contact, &control) {
+            Err(Error::OutOfRange { quantity, log10 }) => {
+                let held = if control == Control::Force { Control::Force } else { Control::Indentation };
+                drawn.is_beyond(trial, (quantity, log10), |wide| {
+                    let state = wide.critical(&held)?;
+                    Ok(vec![[state.contact_radius, state.indentation, state.force]])
+                })?;
+                continue;
+            }
+            state => state?,
+        };
         let a = &state.contact_radius;
         let radius = (40.0 + 2.0 * kappa_roundings(drawn.n)) / excess + 2.0 * a.ln().approx().abs() + 2.0;
         let allowed = 2.0 * (drawn.n + 2.0) * radius + drawn.term_roundings(a) * 4.0;
@@ -171,10 +222,23 @@ pub(super) fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::
     }
 
     // A stiffness comparable to that of the contact at the fold.
-    let near = contact.critical(&Control::Force)?.contact_radius;
+    let near = match contact.critical(&Control::Force) {
+        Err(Error::OutOfRange { .. }) => return threshold(trial, &drawn),
+        state => state?.contact_radius,
+    };
     let stretch = R::from_f64(ctx, trial.uniform(-3.0, 3.0));
     let stiffness = contact.medium().punch_stiffness(&near)? * stretch.exp();
-    let folds = trial.closed.graded_machine_folds(contact, &stiffness)?;
+    let folds = match trial.closed.graded_machine_folds(contact, &stiffness) {
+        Err(Error::OutOfRange { quantity, log10 }) => {
+            let stiffness = Float::with_val(200, stiffness.widen());
+            drawn.is_beyond(trial, (quantity, log10), |wide| {
+                let folds = wide.machine_folds(&stiffness)?.into_iter();
+                Ok(folds.map(|fold| [fold.contact_radius, fold.indentation, fold.force]).collect())
+            })?;
+            return threshold(trial, &drawn);
+        }
+        folds => folds?,
+    };
     let bound = (5.0 - drawn.k) / 2.0 - ((1.0 - drawn.k) * (3.0 + drawn.k)).max(0.0).sqrt();
     let (below, number) = (drawn.n < (1.0 - drawn.k) / 2.0, folds.len());
     let may = if drawn.k == 1.0 {

@@ -2,12 +2,14 @@
 //! runs one of its cases, with its name in [`RUNS`].
 
 mod certified;
+mod containment;
 mod double;
 mod dugdale;
 mod energy;
 mod equilibria;
 mod folds;
 mod graded;
+mod half_space;
 mod identities;
 mod kappa;
 mod known;
@@ -107,6 +109,7 @@ const RUNS: &[(&str, Case)] = &[
     ("energy-quadrature", by_turns!(every 8, energy::potential)),
     ("energy-route-against-force-route", energy::routes),
     ("spring-foundation", folds::foundation),
+    ("half-space-kernel", half_space::kernel),
     ("universal-curves", by_turns!(quadrature::curves)),
     ("threshold-by-bisection", by_turns!(threshold::bisection)),
     ("scale-free-states", by_turns!(threshold::states)),
@@ -116,6 +119,8 @@ const RUNS: &[(&str, Case)] = &[
     ("kappa-enclosure", certified::enclosure),
     ("certified-range", range::digits),
     ("enclosure-range", range::enclosures),
+    ("few-bits-power-laws", containment::power_laws),
+    ("few-bits-profiles", containment::profiles),
     ("critical-state-in-its-equations", by_turns!(identities::critical)),
     ("slopes-of-equilibria", by_turns!(identities::slopes)),
     ("logarithms-of-critical-states", by_turns!(identities::logarithms)),

@@ -289,27 +289,40 @@ impl<'a> Boxes<'a> {
     /// K over the box of these half widths, where it is in its interior.
     fn image(&self, reach: &[f64]) -> Option<Vec<Interval>> {
         let Boxes { proof, middle, gradient, inverse } = self;
-        let count = middle.len();
-        let times = |vector: &dyn Fn(usize) -> Interval, row: usize| {
-            (0..count).fold(middle[0].lit(0), |sum, place| sum + inverse[place][row].clone() * &vector(place))
-        };
         let zone: Vec<Interval> = middle
             .iter()
             .zip(reach)
             .map(|(value, reach)| value.clone().inflate(&Interval::from_f64(proof.precision, *reach)))
             .collect();
-        let over = proof.normal(&zone).ok()?;
-        let image = |row: usize| {
-            let shift = times(&|place| gradient[place].clone(), row);
-            let spread = (0..count).fold(middle[0].lit(0), |sum, column| {
-                let entry = times(&|place| over.hessian[place][column].clone(), row);
-                sum + (middle[0].lit(i64::from(row == column)) - entry) * &(zone[column].clone() - &middle[column])
-            });
-            middle[row].clone() - shift + spread
-        };
-        let images: Vec<Interval> = (0..count).map(image).collect();
-        let inside =
-            images.iter().zip(&zone).all(|(image, zone)| image.lower() > zone.lower() && image.upper() < zone.upper());
-        inside.then_some(images)
+        krawczyk([middle, gradient, &zone], inverse, &proof.normal(&zone).ok()?)
     }
 }
+
+/// K over a zone around the middle, from the gradient in the middle, near the inverse of H there and the normal equations over
+/// the zone; `None` unless it is in the interior of the zone.
+fn krawczyk(
+    [middle, gradient, zone]: [&[Interval]; 3],
+    inverse: &[Vec<Interval>],
+    over: &Normal,
+) -> Option<Vec<Interval>> {
+    let count = middle.len();
+    let times = |vector: &dyn Fn(usize) -> Interval, row: usize| {
+        (0..count).fold(middle[0].lit(0), |sum, place| sum + inverse[place][row].clone() * &vector(place))
+    };
+    let image = |row: usize| {
+        let shift = times(&|place| gradient[place].clone(), row);
+        let spread = (0..count).fold(middle[0].lit(0), |sum, column| {
+            let entry = times(&|place| over.hessian[place][column].clone(), row);
+            sum + (middle[0].lit(i64::from(row == column)) - entry) * &(zone[column].clone() - &middle[column])
+        });
+        middle[row].clone() - shift + spread
+    };
+    let images: Vec<Interval> = (0..count).map(image).collect();
+    let inside =
+        images.iter().zip(zone).all(|(image, zone)| image.lower() > zone.lower() && image.upper() < zone.upper());
+    inside.then_some(images)
+}
+
+#[cfg(test)]
+#[path = "../../tests/private/certified.rs"]
+mod tests;

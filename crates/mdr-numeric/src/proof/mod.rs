@@ -10,12 +10,18 @@
 //! beside it.
 
 mod branches;
+mod continuation;
 mod ends;
+mod energy;
 mod equator;
+mod fields;
 mod kinks;
 mod range;
 
 pub use branches::ProvedBranches;
+pub use continuation::Continuation;
+pub use energy::{EnclosedEnergy, Stored};
+pub use fields::EnclosedFields;
 pub use range::range;
 
 use mdr_core::calculus::isolate::{Behaviour, isolate};
@@ -25,6 +31,15 @@ use mdr_core::number::{Dual, Interval, Precision, Real};
 use rug::Float;
 
 use crate::contact::Contact;
+
+/// Refuses other media than a half-space.
+fn check_half_space(contact: &Contact<Interval>) -> Result<()> {
+    if contact.medium().is_half_space() {
+        return Ok(());
+    }
+    let requirement = "a half-space, for integrals with a proof";
+    Err(Error::domain(Quantity::Parameter("the medium"), contact.modulus(), requirement))
+}
 
 /// One contact in two arithmetics: enclosures, and enclosures with derivatives.
 #[derive(Clone)]

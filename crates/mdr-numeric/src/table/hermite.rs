@@ -39,10 +39,14 @@ pub(super) struct Piece<R> {
 
 impl<R: Real> Piece<R> {
     /// The Hermite cubic with the difference quotient `secant` between the slopes `first` and `last`. All coefficients
-    /// are sums of the two differences of slopes, so none exceeds the variation of f'.
+    /// are sums of the two differences of slopes, so none exceeds the variation of f'. From a flat start to the steepest monotone
+    /// end, three times the secant, there is no curvature at the start: not one of the size of a rounding either, which would make
+    /// a dimple or none by the unit of length.
     fn new((start, height): &(R, R), width: &R, secant: &R, first: &R, last: &R) -> Self {
         let (before, after) = (secant.clone() - first, last.clone() - secant);
-        let c1 = before.clone().times(4) - after.clone().times(2);
+        let zero = first.lit(0);
+        let inflected = *first == zero && *last == secant.clone().times(3);
+        let c1 = if inflected { zero } else { before.clone().times(4) - after.clone().times(2) };
         let c2 = (after - before).times(3);
         let aspect = start.clone() / width;
         let bend = Quadratic([
@@ -142,6 +146,27 @@ impl<R: Real> Profile<R> for MeasuredProfile<R> {
             Some(zero.lit(3))
         } else {
             None
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The second height is more than four times the first: the slope at the first row is cut back to three secants. In f64 the
+    /// curvature was a rounding of either sign.
+    #[test]
+    fn the_tip_of_a_steepening_table_is_no_dimple_in_any_unit_of_length() {
+        let curvatures = |scale: f64| {
+            let points: Vec<_> = [(0.0, 0.0), (0.09, 0.0033), (0.18, 0.0225), (0.27, 0.0806)]
+                .map(|(r, f): (f64, f64)| (r * scale, f * scale))
+                .to_vec();
+            pieces(&points).expect("rows of a profile")[0].slope.0.clone()
+        };
+        for i in 0..200 {
+            let [first, curvature, third] = curvatures(1.37f64.powi(i - 100));
+            assert!(first == 0.0 && curvature == 0.0 && third > 0.0, "{i}: {curvature}");
         }
     }
 }

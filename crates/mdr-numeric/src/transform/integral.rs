@@ -186,7 +186,8 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
             // For g', noise in the slopes of f.
             let noise = if self.integrand == Integrand::Slope { noise / &radius } else { noise };
             let value = self.sample(angles, &angle);
-            if value.abs() > noise || !value.is_finite() {
+            // Terms that overflow say nothing of rounding.
+            if value.abs() > noise || !value.is_finite() || !noise.is_finite() {
                 return None;
             }
             total.value += &value;

@@ -12,8 +12,9 @@ State(contact_radius=5.611652890227367e-07, indentation=-1.0496882720132389e-07,
 from typing import Final
 
 from . import _profiles
+from ._afmformats import AfmCurve, from_afmformats
 from ._contact import Contact, Control, Machine, Start
-from ._core import CERTIFIED
+from ._core import CERTIFIED, PROGRAM
 from ._core import VERSION as __version__
 from ._errors import (
     DomainError, Error, FilterError, InternalError, NoConvergenceError, NoEquilibriumError, OutOfRangeError, SceneError,
@@ -30,11 +31,11 @@ from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Status
 RECORDS_RELEASE: Final = 4
 
 __all__ = [
-    "CERTIFIED", "RECORDS_RELEASE", "__version__",
+    "CERTIFIED", "PROGRAM", "RECORDS_RELEASE", "__version__",
     "Contact", "Control", "Machine", "Start", "context", "critical_states", "effective_modulus", "jkr", "kappa",
     "Equilibria", "Event", "Fold", "LoadingPath", "State", "States", "Status", "Trace",
     "File", "Picture", "Solution", "solve",
-    "CertifiedEstimate", "Estimate", "Fit", "Interval", "fit",
+    "AfmCurve", "CertifiedEstimate", "Estimate", "Fit", "Interval", "fit", "from_afmformats",
     "Answer", "AnswerLike", "Mark", "Record", "Report", "judge", "record", "records",
     "DomainError", "Error", "FilterError", "InternalError", "NoConvergenceError", "NoEquilibriumError", "OutOfRangeError",
     "SceneError", "UndecidedError",

@@ -12,6 +12,7 @@ from ._numbers import Floats
 __all__ = [
     "CERTIFIED",
     "MAX_DIGITS",
+    "PROGRAM",
     "VERSION",
     "Contact",
     "critical_states",
@@ -28,6 +29,7 @@ __all__ = [
 
 CERTIFIED: Final[bool]
 MAX_DIGITS: Final[int]
+PROGRAM: Final[str]
 VERSION: Final[str]
 
 _Codes: TypeAlias = NDArray[np.int8]

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._afmformats import from_afmformats
 from ._numbers import Floats, Number, digits_of, exact, row
 from ._profiles import Files, Profile
 from ._scene import Picture, _double, _numbers
@@ -281,3 +282,7 @@ def fit(
         problem["output"] = output
     text = json.dumps(problem)
     return Fit(_core.fit(text, files, False)[0], text, files)
+
+
+# mdr.fit.from_afmformats is mdr.from_afmformats, where one looks for it.
+setattr(fit, "from_afmformats", from_afmformats)

@@ -117,12 +117,26 @@ impl Answer {
             None | Some(Json::Null) => Ok(None),
             Some(value) => value.as_text().map(Some).ok_or_else(|| format!("{key} must be a number or a text")),
         };
+        let id = text("id")?.ok_or("there is no id")?.to_owned();
+        let answer = Answer::of_texts(text("value")?, text("error")?, text("status")?)?;
+        if answer.value.is_none() && answer.status.is_none() {
+            return Err(match json.get("value") {
+                Some(_) => "the value is null, as some programs write NaN, and there is no status".to_owned(),
+                None => "there is neither a value nor a status".to_owned(),
+            });
+        }
+        Ok((id, answer))
+    }
+
+    /// The answer of these texts.
+    ///
+    /// # Errors
+    /// A message about the text that is no number, no bound, or no status.
+    pub(crate) fn of_texts(value: Option<&str>, error: Option<&str>, status: Option<&str>) -> Result<Answer, String> {
         let refused =
             |key: &str, error: &dyn fmt::Display, text: &str| format!("{key}: {error}, got {}", excerpt(text));
-        let id = text("id")?.ok_or("there is no id")?.to_owned();
-        let value =
-            text("value")?.map(|text| text.parse().map_err(|error: DecimalError| refused("value", &error, text)));
-        let error = text("error")?.map(|text| match text.parse::<Decimal>() {
+        let value = value.map(|text| text.parse().map_err(|error: DecimalError| refused("value", &error, text)));
+        let error = error.map(|text| match text.parse::<Decimal>() {
             Ok(error) if error.is_negative() => Err(refused("error", &"must not be negative", text)),
             Ok(error) => Ok(error),
             Err(DecimalError::NotFinite) => {
@@ -131,13 +145,6 @@ impl Answer {
             Err(error) => Err(refused("error", &error, text)),
         });
         let (value, error) = (value.transpose()?, error.transpose()?);
-        let status = text("status")?.map(str::parse).transpose()?;
-        if value.is_none() && status.is_none() {
-            return Err(match json.get("value") {
-                Some(_) => "the value is null, as some programs write NaN, and there is no status".to_owned(),
-                None => "there is neither a value nor a status".to_owned(),
-            });
-        }
-        Ok((id, Answer { value, error, status }))
+        Ok(Answer { value, error, status: status.map(str::parse).transpose()? })
     }
 }

@@ -4,12 +4,12 @@ use std::collections::HashSet;
 use std::fmt;
 
 use crate::judge::convention::{Convention, normal};
-use crate::judge::{Judged, Report, Verdict};
+use crate::judge::{Judged, Report, Verdict, patterns};
 use crate::record::Record;
 
 /// How many questions with different inputs, and different answers, a convention must explain: fewer may agree by chance,
 /// and a program that always prints the same number may agree with any.
-const LEAST: usize = 3;
+pub(crate) const LEAST: usize = 3;
 
 /// The relative difference up to which an answer agrees with the prediction of a convention: that of six printed digits.
 const AGREES: f64 = 1e-5;
@@ -31,7 +31,8 @@ const DIGITS: f64 = 15.0;
 /// An answer vetoes a convention if it is about a state of which the convention explains another answer, and is not what a program
 /// with that convention would answer: right where it would be wrong, wrong where it would be right, or wrong in another way. Only
 /// several units and signs may be mistaken together, each in its own answers. A convention is left out, too, when another one
-/// explains all that it does, and more.
+/// explains all that it does, and more. Beside conventions there are three ways of losing digits, of which any answer can be a counterexample:
+/// single precision, values that are clamped, and an absolute tolerance.
 ///
 /// ```
 /// use mdr_reference::{Answer, Filter, judge};
@@ -77,7 +78,10 @@ impl fmt::Display for Explanation {
                 write!(f, "{explained} of {not_right} answers that are not right ({applicable} can be tested) agree")?;
             }
         }
-        write!(f, " to {} digits if {}", self.digits, self.statements.join("; or if "))
+        if self.digits > 0 {
+            write!(f, " to {} digits", self.digits)?;
+        }
+        write!(f, " if {}", self.statements.join("; or if "))
     }
 }
 
@@ -126,7 +130,9 @@ impl Report<'_> {
                 None => found.push(matched),
             }
         }
-        found.into_iter().map(|matched| matched.explanation).collect()
+        let mut found: Vec<Explanation> = found.into_iter().map(|matched| matched.explanation).collect();
+        found.extend(patterns::found(&self.judged, not_right.len()));
+        found
     }
 }
 

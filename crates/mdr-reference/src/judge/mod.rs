@@ -5,7 +5,9 @@ mod convention;
 mod digits;
 mod explain;
 mod layout;
+mod lines;
 mod mark;
+mod patterns;
 mod report;
 mod rules;
 
@@ -20,6 +22,7 @@ pub use rules::{Rules, judge};
 use std::collections::HashMap;
 use std::io::{self, BufRead, Read};
 
+use self::lines::{Field, Line};
 use crate::catalogue;
 use crate::record::Record;
 use crate::text::excerpt;
@@ -65,6 +68,8 @@ pub struct Judge<'a> {
     index: HashMap<&'a str, Option<usize>>,
     judged: Vec<Option<Judged<'a>>>,
     lines: u64,
+    /// The fields of lines without braces, and whether a header may still name them.
+    fields: (Vec<Field>, bool),
     /// Without the answers.
     report: Report<'a>,
 }
@@ -79,11 +84,13 @@ impl<'a> Judge<'a> {
             index: all.chain(asked).collect(),
             judged: vec![None; questions.len()],
             lines: 0,
+            fields: (lines::PLAIN.to_vec(), true),
             report: Report::new(questions, rules),
         }
     }
 
-    /// Judges the answers on all lines. Empty lines are skipped; lines that are not answers are counted.
+    /// Judges the answers on all lines: objects of JSON, `id value`, or CSV, whose header may name `id`, `value`, `error` and `status` in
+    /// any order. Empty lines and comments, which begin with #, are skipped; lines that are not answers are counted.
     ///
     /// # Errors
     /// Errors of reading.
@@ -113,9 +120,16 @@ impl<'a> Judge<'a> {
         if line.trim_ascii().is_empty() {
             return;
         }
-        let text = std::str::from_utf8(line).map_err(|_| "not UTF-8".to_owned());
-        match text.and_then(Answer::from_json) {
-            Ok((id, answer)) => self.answer(number, &id, &answer),
+        let text = std::str::from_utf8(line).map_err(|_| format!("not UTF-8; {}", lines::EXPECTED));
+        let (fields, may_be_header) = &self.fields;
+        let read = text.and_then(|text| lines::read(text, fields, *may_be_header));
+        // Comments may stand above a header.
+        let is_comment = matches!(read, Ok(Line::Comment));
+        self.fields.1 &= is_comment;
+        match read {
+            Ok(Line::Answer(id, answer)) => self.answer(number, &id, &answer),
+            Ok(Line::Header(fields)) => self.fields.0 = fields,
+            Ok(Line::Comment) => {}
             Err(why) => self.report.malformed.add(number, || why),
         }
     }

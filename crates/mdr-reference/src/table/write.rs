@@ -15,12 +15,22 @@ pub enum TableFormat {
     C,
     /// A module of Python with a list of dictionaries, None where there is no number.
     Python,
+    /// A module of Fortran 2008 with a constant array for each column, NaN where there is no number.
+    Fortran,
+    /// A module of Julia with a vector of named tuples, NaN where there is no number.
+    Julia,
 }
 
 impl TableFormat {
     /// All of them, with the extension of their files.
-    pub const ALL: [(TableFormat, &'static str); 4] =
-        [(TableFormat::Csv, "csv"), (TableFormat::Json, "json"), (TableFormat::C, "h"), (TableFormat::Python, "py")];
+    pub const ALL: [(TableFormat, &'static str); 6] = [
+        (TableFormat::Csv, "csv"),
+        (TableFormat::Json, "json"),
+        (TableFormat::C, "h"),
+        (TableFormat::Python, "py"),
+        (TableFormat::Fortran, "f90"),
+        (TableFormat::Julia, "jl"),
+    ];
 }
 
 /// The terms of use.
@@ -34,6 +44,8 @@ impl Table {
             TableFormat::Json => self.json(),
             TableFormat::C => self.c(),
             TableFormat::Python => self.python(),
+            TableFormat::Fortran => self.fortran(),
+            TableFormat::Julia => self.julia(),
         }
     }
 
@@ -107,6 +119,44 @@ impl Table {
         )
     }
 
+    fn fortran(&self) -> String {
+        let (name, rows) = (self.name.replace('-', "_"), self.rows.len());
+        let column = |(place, Column { name, unit, is_number }): (usize, &Column)| {
+            let cells = self.rows.iter().map(|row| &row[place]);
+            let texts = || cells.clone().map(Cell::text);
+            let (kind, values): (String, Vec<String>) = if *is_number {
+                let literal = |cell: &Cell| match cell {
+                    Cell::Number(Some(_)) => real(&cell.text()),
+                    _ => "nan".to_owned(),
+                };
+                ("real(real64)".to_owned(), cells.clone().map(literal).collect())
+            } else {
+                let width = texts().map(|text| text.len()).max().unwrap_or(0).max(1);
+                let padded = |text: String| format!("'{:width$}'", text.replace('\'', "\'\'"));
+                (format!("character(len={width})"), texts().map(padded).collect())
+            };
+            let comment = if unit.is_empty() { String::new() } else { format!(" ! {unit}") };
+            format!("  {kind}, parameter, public :: {name}(rows) = [ &{comment}\n    {}]\n", values.join(", &\n    "))
+        };
+        format!(
+            "{}module mdr_{name}\n  use, intrinsic :: iso_fortran_env, only: int64, real64\n  implicit none\n  private\n\n  integer, \
+             parameter, public :: rows = {rows}\n  ! NaN, where there is no number: x /= x\n  real(real64), parameter :: nan = &\n    \
+             transfer(9221120237041090560_int64, 1.0_real64)\n{}end module mdr_{name}\n",
+            comments(&self.citation(), "!"),
+            self.columns.iter().enumerate().map(column).collect::<String>()
+        )
+    }
+
+    fn julia(&self) -> String {
+        let field = |(column, cell): (&Column, &Cell)| format!("{} = {}", column.name, dollars(&cell.literal("NaN")));
+        let row = |row: &Vec<Cell>| {
+            let fields: Vec<_> = self.columns.iter().zip(row).map(field).collect();
+            format!("    ({}),\n", fields.join(", "))
+        };
+        let rows: String = self.rows.iter().map(row).collect();
+        format!("{}const {} = [\n{rows}]\n", comments(&self.citation(), "#"), self.constant())
+    }
+
     /// The name in capitals, with underscores.
     fn constant(&self) -> String {
         self.name.replace('-', "_").to_uppercase()
@@ -122,6 +172,28 @@ impl Cell {
             Cell::Number(Some(_)) => self.text(),
         }
     }
+}
+
+/// A number of double precision in Fortran.
+fn real(text: &str) -> String {
+    format!("{text}_real64")
+}
+
+/// A text of Julia, in which a dollar sign would begin a value.
+fn dollars(text: &str) -> String {
+    text.replace('$', "\\$")
+}
+
+/// A text as lines of comment of at most 120 characters.
+fn comments(text: &str, mark: &str) -> String {
+    let mut lines = vec![mark.to_owned()];
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if line.len() + word.len() < 120 => line.extend([" ", word]),
+            _ => lines.push(format!("{mark} {word}")),
+        }
+    }
+    lines.join("\n") + "\n"
 }
 
 /// A cell of CSV, in quotation marks where it needs them.

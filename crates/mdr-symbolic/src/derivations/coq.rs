@@ -2,6 +2,7 @@
 
 use super::{Claim, Entry, Step, entries};
 use crate::formula::Definition;
+use crate::table::rows;
 
 /// The text before the statements.
 const BEGIN: &str = include_str!("../../data/statements.v");
@@ -50,16 +51,35 @@ pub fn statements_in_coq(entries: impl IntoIterator<Item = &'static Entry>) -> S
 /// The statements that docs/proofs/Steps.v leaves out, each with the reason: the table that `make proofs` compares with it.
 const LEFT_OUT: &str = include_str!("../../data/left_out.tsv");
 
+/// The statements that docs/proofs/StepTheorems.v proves though no normal form does, each with the theorem that it follows from.
+const BY_THEOREM: &str = include_str!("../../data/by_theorem.tsv");
+
 impl Step {
-    /// The name of the statement in Coq, where docs/proofs/Steps.v proves it: that of every step of the entries that normal
-    /// forms decide, but for those of `left_out.tsv`.
+    /// The name of the statement in Coq.
+    fn name_in_coq(&self) -> Option<String> {
+        let find = |entry: &'static Entry| {
+            let index = entry.steps.iter().position(|step| std::ptr::eq(step, self))?;
+            Some(entry.step_in_coq(index))
+        };
+        entries().iter().find_map(find)
+    }
+
+    /// The theorem of `theorems.tsv` from which a step follows that intervals enclose or sample; an empty name for a step that has
+    /// a proof of its own, `None` for a step without a proof in docs/proofs/StepTheorems.v.
+    pub fn by_theorem(&self) -> Option<&'static str> {
+        if self.claim != Claim::Enclosed {
+            return None;
+        }
+        let name = self.name_in_coq()?;
+        rows(BY_THEOREM).find(|[step, _]| *step == name).map(|[_, theorem]| theorem)
+    }
+
+    /// The name of the statement in Coq, where it is proved: in docs/proofs/Steps.v for every step that normal forms decide, but
+    /// for those of `left_out.tsv`, and in docs/proofs/StepTheorems.v for those of `by_theorem.tsv`.
     pub fn proved_in_coq(&self) -> Option<String> {
-        let steps =
-            entries().iter().flat_map(|entry| entry.steps.iter().enumerate().map(move |(i, step)| (entry, i, step)));
-        let (entry, i, _) =
-            steps.filter(|(.., step)| step.claim == Claim::Proved).find(|(.., step)| std::ptr::eq(*step, self))?;
-        let name = entry.step_in_coq(i);
-        let left_out = LEFT_OUT.lines().any(|line| line.split('\t').next() == Some(&name));
-        (!left_out).then_some(name)
+        let name = self.name_in_coq()?;
+        let left_out = || LEFT_OUT.lines().any(|line| line.split('\t').next() == Some(&name));
+        let proved = (self.claim == Claim::Proved && !left_out()) || self.by_theorem().is_some();
+        proved.then_some(name)
     }
 }

@@ -25,7 +25,60 @@ pub fn theorems() -> impl Iterator<Item = Theorem> {
     rows(TABLE).map(|[entry, name, file, says]| Theorem { entry, name, file, says })
 }
 
+/// What the theorems of an entry are about: a theorem of algebra is none of physics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// They follow from the energy of the foundation.
+    Derived,
+    /// They are algebra with a law that is taken from the literature.
+    CitedLaw(&'static str),
+    /// They turn a definition into another form.
+    Definition(&'static str),
+}
+
+/// The entries that are not derived from the energy.
+const BASIS: &str = include_str!("../../data/basis.tsv");
+
+impl Basis {
+    /// The basis in words, to stand after the word "theorem".
+    pub fn words(self) -> String {
+        match self {
+            Basis::Derived => "derived".to_owned(),
+            Basis::CitedLaw(law) => format!("algebra of a cited law: {law}"),
+            Basis::Definition(of) => format!("algebra of a definition: {of}"),
+        }
+    }
+
+    /// The basis in one or two words.
+    pub fn word(self) -> &'static str {
+        match self {
+            Basis::Derived => "derived",
+            Basis::CitedLaw(_) => "cited law",
+            Basis::Definition(_) => "definition",
+        }
+    }
+}
+
 impl Entry {
+    /// What the theorems of the entry rest on; `None` for an entry without a theorem.
+    ///
+    /// ```
+    /// use mdr_symbolic::derivations::{Basis, entry};
+    /// let basis = |id| entry(id).and_then(|entry| entry.basis());
+    /// assert_eq!(basis("1.5"), Some(Basis::Derived));
+    /// assert_eq!(basis("1.2"), Some(Basis::CitedLaw("the stiffness of the flat punch")));
+    /// assert_eq!(basis("maugis-dugdale"), None);
+    /// ```
+    pub fn basis(&self) -> Option<Basis> {
+        self.theorems().next()?;
+        let row = rows(BASIS).find(|[entry, _, _]| *entry == self.id);
+        Some(match row {
+            Some([_, "law", law]) => Basis::CitedLaw(law),
+            Some([_, _, of]) => Basis::Definition(of),
+            None => Basis::Derived,
+        })
+    }
+
     /// The theorems that belong to the entry.
     pub fn theorems(&self) -> impl Iterator<Item = Theorem> {
         theorems().filter(|theorem| theorem.entry == self.id)

@@ -83,6 +83,7 @@ impl Step {
             Claim::Proved => Verdict::Proved,
             Claim::Refuted => Verdict::Refuted,
             Claim::Cited => Verdict::Cited,
+            Claim::Enclosed if self.by_theorem().is_some() => Verdict::Theorem,
             Claim::Enclosed if single && equal => Verdict::Agrees,
             Claim::Enclosed if single => Verdict::Enclosed,
             Claim::Enclosed => Verdict::Sampled,

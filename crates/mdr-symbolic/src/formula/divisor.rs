@@ -38,23 +38,25 @@ impl Divisor {
     /// Whether it leaves the formula without a value on the whole domain once values are put in.
     ///
     /// # Errors
-    /// Errors of [`Formula::normalise`] and of `put_in`.
+    /// Errors of [`Formula::normalise`] and of `put_in`; [`Error::Divisor`] where a relation of symbols that the algebra does
+    /// not include may make it 0.
     fn is_pole(&self, domain: Domain, put_in: &impl Fn(&Quotient) -> Result<Quotient>) -> Result<bool> {
         let there = put_in(&self.part.normalise(domain)?)?;
-        let is_zero = there.numerator().is_zero();
-        Ok(match &self.role {
-            Role::Denominator => is_zero,
-            Role::Base(_) if !is_zero => false,
-            // 0 to a power that is not known to be ≥ 0.
+        let is_zero = || there.numerator().vanishes(domain)?.ok_or_else(|| Error::Divisor(self.part.text()));
+        match &self.role {
+            Role::Denominator => is_zero(),
+            // 0 to a power that is not known to be > 0. A power that is written as 0 is 1 by the rule of polynomials; one
+            // that is calculated, such as n − n, is a real power.
             Role::Base(exponent) => {
                 let exponent = put_in(&exponent.normalise(domain)?)?.as_function();
-                exponent.and_then(|exponent| exponent.sign_on(domain)).is_none_or(|sign| sign.is_lt())
+                let positive = exponent.and_then(|exponent| exponent.sign_on(domain)).is_some_and(|sign| sign.is_gt());
+                Ok(!positive && is_zero()?)
             }
             Role::Argument => {
                 let number = there.as_function().and_then(|argument| argument.as_constant());
-                number.is_some_and(|number| number.is_integer() && number < 1)
+                Ok(number.is_some_and(|number| number.is_integer() && number < 1))
             }
-        })
+        }
     }
 }
 
@@ -67,19 +69,27 @@ impl Formula {
         listed.is_ok_and(|divisors| divisors.iter().any(vanishes)) || self.fails_by_zero(domain)
     }
 
-    /// Refuses an operation that puts a value in, where it makes a divisor of this formula 0, or where that cannot be
-    /// decided.
+    /// Refuses a formula with a divisor, as written, that is 0 on the whole domain, or that a relation may make 0.
     ///
     /// # Errors
-    /// [`Error::DivisionByZero`]; as [`Formula::normalise`], of a divisor at the value.
+    /// [`Error::DivisionByZero`], [`Error::Divisor`]; errors of [`Formula::normalise`] for a divisor.
+    pub(crate) fn refuse_divisors(&self, domain: Domain) -> Result<()> {
+        self.refuse_poles(domain, &[], |normal| Ok(normal.clone()))
+    }
+
+    /// Refuses an operation that puts a value in, where it makes a divisor of this formula 0, or where that cannot be
+    /// decided. `symbols` are those of the operation.
+    ///
+    /// # Errors
+    /// [`Error::DivisionByZero`], [`Error::Divisor`]; errors of [`Formula::normalise`] for a divisor at the value.
     pub(super) fn refuse_poles(
         &self,
         domain: Domain,
-        value: &Formula,
+        symbols: &[Symbol],
         put_in: impl Fn(&Quotient) -> Result<Quotient>,
     ) -> Result<()> {
         let mut taken = self.symbols();
-        taken.extend(value.symbols());
+        taken.extend(symbols);
         for divisor in self.all_divisors(&mut taken)? {
             if divisor.is_pole(domain, &put_in)? {
                 return Err(Error::DivisionByZero);
@@ -155,7 +165,7 @@ impl Formula {
     }
 
     /// Every symbol that is written, variables of integration and substitution among them.
-    fn symbols(&self) -> Vec<Symbol> {
+    pub(super) fn symbols(&self) -> Vec<Symbol> {
         let here = match self {
             Formula::Symbol(symbol) | Formula::Derivative(_, symbol) | Formula::Integral(_, symbol, _) => Some(*symbol),
             Formula::At(_, Variable::Symbol(symbol), _) => Some(*symbol),

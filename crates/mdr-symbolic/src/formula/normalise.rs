@@ -15,11 +15,13 @@ impl Formula {
     ///
     /// A value substituted for a symbol must be positive on the domain, as is assumed of the symbol, unless only the
     /// four operations and integer powers act on the symbol. A value of n must lie in the domain. At neither may a divisor,
-    /// as written, be 0, nor a base that is not certainly without a negative exponent, nor Γ have a pole. What belongs to the symbol, as g' does to g, must not occur beside it.
+    /// as written, be 0, nor a base whose exponent is not certainly positive, nor Γ have a pole. What belongs to the symbol,
+    /// as g' does to g, must not occur beside it, where a value is put in and where the symbol is the variable of a
+    /// derivative or of an integral.
     ///
     /// # Errors
-    /// [`Error::Substitution`], [`Error::OutsideDomain`], [`Error::DivisionByZero`] and [`Error::Related`] for such values,
-    /// [`Error::Transcendental`] for functions outside the algebra, and the other limits of the algebra.
+    /// [`Error::Substitution`], [`Error::OutsideDomain`], [`Error::DivisionByZero`], [`Error::Divisor`] and
+    /// [`Error::Related`] for such values, [`Error::Transcendental`] for functions outside the algebra, and the other limits of the algebra.
     pub fn normalise(&self, domain: Domain) -> Result<Quotient> {
         let of = |formula: &Formula| formula.normalise(domain);
         match self {
@@ -41,18 +43,24 @@ impl Formula {
                 of(base)?.power(&value, domain)
             }
             Formula::Root(inner) => of(inner)?.power(&RationalFunction::ratio(1, 2), domain),
-            Formula::Derivative(inner, variable) => of(inner)?.derivative(*variable),
+            Formula::Derivative(inner, variable) => {
+                // What the chain rule knows is no obstacle.
+                let other = variable.relatives().filter(|relative| relative.slope_along(*variable).is_none());
+                inner.refuse_relatives(*variable, other, domain)?;
+                of(inner)?.derivative(*variable)
+            }
             Formula::Integral(inner, variable, upper) => {
+                inner.refuse_relatives(*variable, variable.relatives(), domain)?;
                 let integrand = of(inner)?;
                 let integrand = integrand.as_expression().ok_or_else(|| Error::Transcendental(self.text()))?;
                 let integral = Quotient::from(integrand.integral_from_zero(*variable, domain)?);
                 integral.substitute(*variable, &inner.admitted(*variable, upper, domain)?, domain)
             }
             Formula::At(inner, Variable::Symbol(symbol), value) => {
-                inner.refuse_relatives(*symbol, domain)?;
+                inner.refuse_relatives(*symbol, symbol.relatives(), domain)?;
                 let admitted = inner.admitted(*symbol, value, domain)?;
                 let put_in = |normal: &Quotient| normal.substitute(*symbol, &admitted, domain);
-                inner.refuse_poles(domain, value, put_in)?;
+                inner.refuse_poles(domain, &[vec![*symbol], value.symbols()].concat(), put_in)?;
                 put_in(&of(inner)?)
             }
             Formula::At(inner, Variable::N, value) => {
@@ -63,7 +71,7 @@ impl Formula {
                     true => Ok(normal.clone()),
                     false => normal.at_n(&n, domain),
                 };
-                inner.refuse_poles(domain, value, put_in)?;
+                inner.refuse_poles(domain, &value.symbols(), put_in)?;
                 put_in(&of(inner)?)
             }
             Formula::Function(function @ (Function::Gamma | Function::Kappa), arguments) => {

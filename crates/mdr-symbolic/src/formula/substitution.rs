@@ -24,14 +24,19 @@ impl Formula {
         Err(Error::Substitution { symbol: symbol.text(), value: value.text(), domain: domain.text() })
     }
 
-    /// Refuses to replace a symbol while another occurs that belongs to it, as g' and ∫g do to g: a value for one of them
-    /// would leave the others those of another function. Both the formula as written and its normal form are searched,
+    /// Refuses to replace or vary a symbol while one of its `relatives` occurs, as g' and ∫g are of g: a value for one of
+    /// them would leave the others those of another function. Both the formula as written and its normal form are searched,
     /// as only the latter has the derivatives.
     ///
     /// # Errors
-    /// [`Error::Related`]; as [`Formula::normalise`].
-    pub(super) fn refuse_relatives(&self, symbol: Symbol, domain: Domain) -> Result<()> {
-        let mut relatives = symbol.relatives().peekable();
+    /// [`Error::Related`]; errors of [`Formula::normalise`].
+    pub(super) fn refuse_relatives(
+        &self,
+        symbol: Symbol,
+        relatives: impl Iterator<Item = Symbol>,
+        domain: Domain,
+    ) -> Result<()> {
+        let mut relatives = relatives.peekable();
         if relatives.peek().is_none() {
             return Ok(());
         }

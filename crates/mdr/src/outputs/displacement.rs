@@ -2,8 +2,12 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::Result;
+#[cfg(feature = "mp")]
+use mdr_core::number::Interval;
 use mdr_core::number::Literal;
 use mdr_numeric::fields::Fields;
+#[cfg(feature = "mp")]
+use mdr_numeric::proof::EnclosedFields;
 
 use super::fields::{Field, FieldRoom, FieldState, OUTSIDE, estimate};
 use super::key::Key;
@@ -35,5 +39,10 @@ impl<'w> FieldRoom<'w> for Room<'w> {
 
     fn value<R: SceneReal>(fields: &Fields<R>, r: &R) -> Result<Estimate<R>> {
         estimate(fields.displacement_estimate(r), || fields.displacement(r))
+    }
+
+    #[cfg(feature = "mp")]
+    fn enclosed(fields: &EnclosedFields<'_>, r: &Interval) -> Result<Interval> {
+        fields.displacement(r)
     }
 }

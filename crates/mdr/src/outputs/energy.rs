@@ -8,8 +8,10 @@ use mdr_numeric::fields::Fields;
 #[cfg(feature = "mp")]
 use {
     mdr_analytic::certified::{Curve, Point},
-    mdr_core::contact::{Control, Error, Quantity},
+    mdr_core::contact::{Control, Equilibrium, Error, Quantity, Stability},
     mdr_core::number::certify::Enclosure,
+    mdr_core::number::{Interval, Real},
+    mdr_numeric::proof::{EnclosedEnergy, EnclosedFields},
     rug::Rational,
 };
 
@@ -23,6 +25,7 @@ use crate::solve::states::States;
 #[cfg(feature = "mp")]
 use crate::{
     answer::{List, Promise},
+    solve::rigorous::{self, Proved},
     solve::{certified::Certified, power_law::PowerLaw},
 };
 
@@ -65,6 +68,14 @@ impl<'w> IsRoom<'w> for Room<'w> {
     }
 
     #[cfg(feature = "mp")]
+    fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
+        let items = rigorous::described(certified, self.states, |proved, state, record| {
+            of_proved(certified, proved, state, record)
+        })?;
+        Ok(items.map(|items| Output::Energy(List::new(Promise::Certified, items))))
+    }
+
+    #[cfg(feature = "mp")]
     fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
         let items = certified.estimated_at(self.states, &|states, values| energies(states, values))?;
         Ok(Output::Energy(List::new(Promise::Estimated, items)))
@@ -95,6 +106,33 @@ fn energies<R: SceneReal>(
         let energy = Value::from_result(potential)?;
         let stiffness = Value::from_result(fields.stiffness())?;
         Ok(EnergyState { state: states.model.plain(state), energy, stiffness, admissible }.convert(Estimate::exact))
+    })
+}
+
+/// Π and dF/dd of a state that is proved.
+#[cfg(feature = "mp")]
+fn of_proved(
+    certified: &Certified<'_>,
+    proved: &Proved,
+    state: &Equilibrium<Interval>,
+    record: PlainState<Enclosure>,
+) -> Result<EnergyState<Enclosure>> {
+    let energy = EnclosedEnergy::new(&proved.contact, &proved.profile)?;
+    let energy = energy.potential(&state.contact_radius, &state.indentation)?;
+    let stiffness = match (state.stability, &certified.scene.control) {
+        (Stability::Neutral, Control::Indentation) => {
+            let requirement = "off the fold of the indentation";
+            Err(Error::domain(Quantity::ContactRadius, &state.contact_radius, requirement))
+        }
+        (Stability::Neutral, Control::Force) => Ok(Rational::new().into()),
+        _ => EnclosedFields::new(&proved.contact, &proved.profile, state)?.stiffness().map(Enclosure::from),
+    };
+    let verdict = certified.admissibility()?.of(state.contact_radius.approx(), state.indentation.approx());
+    Ok(EnergyState {
+        state: record,
+        energy: Value::Known(energy.into()),
+        stiffness: Value::from_result(stiffness)?,
+        admissible: Admission::of(verdict),
     })
 }
 

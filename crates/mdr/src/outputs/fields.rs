@@ -18,7 +18,16 @@ use crate::solve::states::States;
 #[cfg(feature = "mp")]
 use crate::{
     answer::Promise,
+    solve::rigorous::{self, Proved},
     solve::{certified::Certified, power_law::PowerLaw},
+};
+#[cfg(feature = "mp")]
+use {
+    mdr_core::number::certify::Enclosure,
+    mdr_core::number::{Interval, Real},
+    mdr_numeric::admissible::Verdict,
+    mdr_numeric::proof::EnclosedFields,
+    rug::Rational,
 };
 
 /// About so many radii of a field the program chooses itself.
@@ -101,6 +110,22 @@ pub(super) trait FieldRoom<'w> {
     /// The field at a radius: with its error for digits that are decided by it, settled for doubles.
     fn value<R: SceneReal>(fields: &Fields<R>, r: &R) -> Result<Estimate<R>>;
 
+    /// The field of a state that is proved, at a radius.
+    ///
+    /// # Errors
+    /// A radius where it is not defined; an integral that cannot be enclosed.
+    #[cfg(feature = "mp")]
+    fn enclosed(fields: &EnclosedFields<'_>, r: &Interval) -> Result<Interval>;
+
+    /// Whether a state that is proved is admissible.
+    ///
+    /// # Errors
+    /// Errors that concern the whole computation, not one state.
+    #[cfg(feature = "mp")]
+    fn proved_admission(verdict: Verdict, _: &EnclosedFields<'_>) -> Result<Admission<Enclosure>> {
+        Ok(Admission::of(verdict))
+    }
+
     /// Whether a state is admissible.
     ///
     /// # Errors
@@ -127,6 +152,22 @@ impl<'w, F: FieldRoom<'w>> Request<'w> for F {
 }
 
 impl<'w, F: FieldRoom<'w>> Room<'w> for F {
+    #[cfg(feature = "mp")]
+    fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
+        let [states, at] = self.question();
+        let items = rigorous::described(certified, states, |proved, state, record| {
+            let fields = EnclosedFields::new(&proved.contact, &proved.profile, state)?;
+            let verdict = certified.admissibility()?.of(state.contact_radius.approx(), state.indentation.approx());
+            Ok(FieldState {
+                samples: proved_samples::<F>(proved, &fields, at, &state.contact_radius)?,
+                admissible: F::proved_admission(verdict, &fields)?,
+                state: record,
+                field: F::FIELD,
+            })
+        })?;
+        Ok(items.map(|items| F::OUTPUT(List::new(Promise::Certified, items))))
+    }
+
     #[cfg(feature = "mp")]
     fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
         let [states, at] = self.question();
@@ -193,6 +234,26 @@ fn samples<'w, R: SceneReal, F: FieldRoom<'w>>(
     });
     let given = radii.iter().map(|literal| (Value::Given(literal.clone()), states.model.number(literal)));
     let sample = |(r, at): (_, R)| Ok(FieldSample { r, value: Value::from_result(F::value(fields, &at))? });
+    chosen.chain(given).map(sample).collect()
+}
+
+/// The field of a state that is proved, at the radii of the scene, else at fractions of the contact radius.
+#[cfg(feature = "mp")]
+fn proved_samples<'w, F: FieldRoom<'w>>(
+    proved: &Proved,
+    fields: &EnclosedFields<'_>,
+    radii: &[Literal],
+    a: &Interval,
+) -> Result<Vec<FieldSample<Enclosure>>> {
+    let chosen = F::FRACTIONS.iter().filter(|_| radii.is_empty()).map(|&(numerator, denominator)| {
+        let r = if numerator == 0 { a.lit(0) } else { a.clone().times(numerator).over(denominator) };
+        let shown = if numerator == 0 { Rational::new().into() } else { Enclosure::from(r.clone()) };
+        (Value::Known(shown), r)
+    });
+    let given = radii.iter().map(|literal| (Value::Given(literal.clone()), proved.enclosed.value.number(literal)));
+    let sample = |(r, at): (_, Interval)| {
+        Ok(FieldSample { r, value: Value::from_result(F::enclosed(fields, &at).map(Enclosure::from))? })
+    };
     chosen.chain(given).map(sample).collect()
 }
 

@@ -3,8 +3,12 @@
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Equilibrium, Result};
 use mdr_core::number::Literal;
+#[cfg(feature = "mp")]
+use mdr_core::number::{Interval, Real, certify::Enclosure};
 use mdr_numeric::admissible::Verdict;
 use mdr_numeric::fields::Fields;
+#[cfg(feature = "mp")]
+use mdr_numeric::proof::EnclosedFields;
 
 use super::fields::{Field, FieldRoom, FieldState, OUTSIDE, estimate};
 use super::key::Key;
@@ -38,6 +42,30 @@ impl<'w> FieldRoom<'w> for Room<'w> {
 
     fn value<R: SceneReal>(fields: &Fields<R>, r: &R) -> Result<Estimate<R>> {
         estimate(fields.gap_estimate(r), || fields.gap(r))
+    }
+
+    #[cfg(feature = "mp")]
+    fn enclosed(fields: &EnclosedFields<'_>, r: &Interval) -> Result<Interval> {
+        fields.gap(r)
+    }
+
+    /// With its gap where it is below zero.
+    #[cfg(feature = "mp")]
+    fn proved_admission(verdict: Verdict, fields: &EnclosedFields<'_>) -> Result<Admission<Enclosure>> {
+        let Verdict::Interpenetrating { radius, .. } = &verdict else {
+            return Ok(Admission::of(verdict));
+        };
+        for digits in 3..=17 {
+            let literal = decimal(*radius, digits)?;
+            let gap = fields.gap(&Interval::from_literal(fields.precision(), &literal));
+            if let Ok(gap) = gap
+                && gap < gap.lit(0)
+            {
+                let gap = Value::Known(gap.into());
+                return Ok(Admission::overlapping(Some(Overlap { r: Value::Given(literal), gap })));
+            }
+        }
+        Ok(Admission::of(verdict))
     }
 
     /// Whether a state is admissible; with its gap where it is below zero.

@@ -92,6 +92,8 @@ pub struct Scene {
     pub(crate) values: Vec<Literal>,
     /// Contact radii between which all folds are to be proved; none when the program chooses.
     pub(crate) range: Option<[Literal; 2]>,
+    /// Whether the energies of a path are wanted, where that is said.
+    pub(crate) energies: Option<bool>,
     pub(crate) arithmetic: Arithmetic,
     /// How it was read, where that may surprise.
     pub(crate) notes: Vec<String>,
@@ -136,6 +138,7 @@ impl Scene {
             wants: Vec::new(),
             values: Vec::new(),
             range: None,
+            energies: None,
             arithmetic: Arithmetic::default(),
             notes: Vec::new(),
             given: Vec::new(),
@@ -243,6 +246,12 @@ impl Scene {
     /// Sets the state at the first way point; the default is [`Start::Largest`].
     pub fn start(self, start: Start) -> Self {
         Scene { start, ..self }
+    }
+
+    /// Sets whether the energies of a path are computed: what its events dissipate, and its balance. By default they are up to
+    /// 50 certified digits, beyond which they cost much more than the path; those of power laws, which are closed forms, always are.
+    pub fn energies(self, wanted: bool) -> Self {
+        Scene { energies: Some(wanted), ..self }
     }
 
     /// Adds an output, in place of an earlier one of its kind.

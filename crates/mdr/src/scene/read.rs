@@ -234,6 +234,10 @@ impl Scene {
             self.places.read.push(("output.folds.range", place));
         }
         self.values = keys.values;
+        self.energies = section
+            .optional("energies")
+            .map(|energies| energies.choice("answer", &[("yes", true), ("no", false)]))
+            .transpose()?;
         self.check_needs()?;
         if let Some(range) = section.optional("range_of_adhesion") {
             match &self.range_of_adhesion {

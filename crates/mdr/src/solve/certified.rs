@@ -15,6 +15,7 @@ use super::digits::{MOST_OF_INTEGRALS, agree, decide, decide_within, start};
 use super::model::{Model, SceneReal};
 use super::proof::{self, FoldProof};
 use super::refine::refined;
+use super::rigorous::Formulas;
 use super::search::{Search, not_proved};
 use super::states::States;
 use super::{Once, once};
@@ -34,6 +35,7 @@ pub(crate) struct Certified<'s> {
     search: Once<Search<'s>>,
     folds: Once<Option<FoldProof>>,
     admissibility: Once<Arc<Admissibility>>,
+    formulas: Once<Option<Formulas>>,
 }
 
 /// The states at values, in the arithmetic of an estimate.
@@ -42,7 +44,15 @@ type Estimated<T> = Vec<AtValue<T>>;
 impl<'s> Certified<'s> {
     pub(crate) fn new(scene: &'s Scene, digits: u32, counts: &'s Counts) -> Self {
         let (search, folds, admissibility) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Certified { scene, digits, counts, search, folds, admissibility }
+        Certified { scene, digits, counts, search, folds, admissibility, formulas: OnceCell::new() }
+    }
+
+    /// The profile as formulas; `None` if it is none.
+    ///
+    /// # Errors
+    /// [`Error::Unproved`] if the kinks of a formula are not known.
+    pub(crate) fn formulas(&self) -> Result<Option<&Formulas>> {
+        once(&self.formulas, || Formulas::of(&self.scene.profile)).map(Option::as_ref)
     }
 
     /// Which states are admissible: by the form of the profile, by the proved extrema of g of a formula, else in f64.

@@ -32,6 +32,8 @@ pub(crate) mod proof;
 mod provider;
 #[cfg(feature = "mp")]
 pub(crate) mod refine;
+#[cfg(feature = "mp")]
+pub(crate) mod rigorous;
 mod roughness;
 pub(crate) mod sample;
 pub(crate) mod search;
@@ -56,6 +58,8 @@ use self::provider::Provider;
 use self::search::Search;
 use crate::answer::{Answer, Output};
 use crate::error::{Error, Result};
+#[cfg(feature = "mp")]
+use crate::outputs::path;
 use crate::outputs::room::Open;
 use crate::run::{Cost, Counts, Run, Stop};
 #[cfg(feature = "mp")]
@@ -102,6 +106,8 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver.search().ok()));
     notes.extend(media::note(scene, &outputs));
+    #[cfg(feature = "mp")]
+    notes.extend(path::note(scene, &outputs));
     let has_states = scene.has(|kind| !kind.is_of_profile());
     let admissibility = if has_states { solver.admissibility().map(|known| known.basis()) } else { None };
     if run.stop.is_stopped() {

@@ -18,6 +18,9 @@ const REACH: f64 = 1e3;
 /// and where it is an integral, whose cost grows with the waves inside the radius.
 #[cfg(feature = "mp")]
 const REACH_OF_INTEGRALS: f64 = 10.0;
+/// The share of the rest up to an outer radius that is left out where g is an integral, inverse.
+#[cfg(feature = "mp")]
+const OF_THE_REST: f64 = 8.0;
 /// How close to the outer radius of a profile.
 const RIM: f64 = 1e-6;
 
@@ -61,5 +64,16 @@ pub(crate) fn range(
     let reach = if by_integrals { REACH_OF_INTEGRALS } else { REACH };
     let (lower, upper) = proof::range(&model.contact(), folds, reach, visited);
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);
-    Ok([power(lower)?, power(upper)?])
+    let outer = model.transform().outer_radius().filter(|_| by_integrals);
+    // Towards an end where g may diverge integrals take ever more pieces.
+    let radii = folds.iter().map(|fold| fold.contact_radius).chain(visited.iter().copied());
+    let far = radii.chain(model.transform().kinks()).fold(0.0, f64::max);
+    let upper = match outer {
+        Some(outer) if far < outer => {
+            let end = decimal(outer - (outer - far) / OF_THE_REST, 6)?;
+            if end.nearest_f64() < outer { end } else { power(upper)? }
+        }
+        _ => power(upper)?,
+    };
+    Ok([power(lower)?, upper])
 }

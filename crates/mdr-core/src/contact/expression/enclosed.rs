@@ -13,6 +13,8 @@ use crate::number::{Analytic, Dual, Euler, Interval, Literal, Precision, Real};
 const BEYOND: u32 = 8;
 /// Bits in which the signs of the arguments of `abs`, `min` and `max` are decided, at least.
 const SIGN_BITS: u32 = 256;
+/// and in so many more than those of the precision.
+const BEYOND_SIGNS: u32 = 64;
 /// Relative bits to which breaks are located before they are proved,
 const COARSE: u32 = 45;
 /// and at which the signs beside them are taken.
@@ -70,7 +72,7 @@ impl Expression {
 impl EnclosedFormula {
     fn new(root: &Node<Constant>, breaks: &Breaks, precision: Precision) -> Self {
         let bits = precision.bits();
-        let fine = precision.max(Precision::new(SIGN_BITS));
+        let fine = Precision::new((bits + BEYOND_SIGNS).max(SIGN_BITS));
         let tree: Node<Interval> = root.bound(fine);
         let places = breaks.places(bits + BEYOND);
         let outer = breaks.outer_radius(bits + BEYOND).map(|radius| around(&radius, bits));

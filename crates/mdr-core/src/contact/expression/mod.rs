@@ -9,6 +9,7 @@ mod jet;
 #[cfg(feature = "mp")]
 mod lowest;
 mod parse;
+mod shapes;
 
 #[cfg(feature = "mp")]
 pub use breaks::Breaks;

@@ -13,7 +13,8 @@ use super::{Interval, Precision, Real, Special};
 ///
 /// `None` means that the function is not defined on all of the set, or not shown to be analytic there: a root or a logarithm
 /// whose argument meets its cut, a divisor that may be zero, an overflow. Over real intervals a result proves that the
-/// function is defined and continuous; over rectangles, that it is analytic. A result has the precision of `self`.
+/// function is defined and continuous; over rectangles, that it is analytic inside and continuous up to the boundary, where a root
+/// may be zero. A result has the precision of `self`.
 ///
 /// ```
 /// use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle};

@@ -49,6 +49,21 @@ impl Rectangle {
         *self.re.lower() > 0 || *self.im.lower() > 0 || *self.im.upper() < 0
     }
 
+    /// Whether it lies in the closed right half-plane. There a root is analytic inside and continuous up to the boundary: what maps
+    /// into it maps the inside of a set to the open half-plane, or is constant.
+    fn is_right(&self) -> bool {
+        *self.re.lower() >= 0
+    }
+
+    /// zᵖ for p > 0 where 0 is on the boundary: |z|ᵖ, at an angle of pπ/2 at most.
+    fn power_from_zero(&self, exponent: &Interval) -> Option<Self> {
+        let size = defined(self.modulus().pow(&exponent.rounded(self.ctx())))?;
+        let zero = Interval::from_int(self.ctx(), 0);
+        let far = zero.clone().inflate(&Interval::point(size.upper().clone()));
+        let re = if *exponent.upper() <= 1 { zero.hull(&Interval::point(size.upper().clone())) } else { far.clone() };
+        Some(Rectangle { re, im: far })
+    }
+
     /// iz.
     fn turned(&self) -> Self {
         Rectangle { re: -self.im.clone(), im: self.re.clone() }
@@ -118,11 +133,14 @@ impl Analytic for Rectangle {
         Some(Rectangle { re: product.re.quotient(&square)?, im: product.im.quotient(&square)? })
     }
     fn power(&self, exponent: &Interval) -> Option<Self> {
+        if !self.is_off_cut() && self.is_right() && *exponent.lower() > 0 {
+            return self.power_from_zero(exponent);
+        }
         Some(self.ln()?.scaled(exponent).exp())
     }
     /// Both parts of √z are monotone in x and in |y|: their extremes are at corners.
     fn sqrt(&self) -> Option<Self> {
-        if !self.is_off_cut() {
+        if !self.is_off_cut() && !self.is_right() {
             return None;
         }
         let (x, y, far) = (&self.re, &self.im, self.im.abs());

@@ -42,7 +42,8 @@ fn entry(judgement: &Judgement) -> String {
     let entry = judgement.entry;
     let mut parts = vec![section(judgement)];
     let (verdict, assumptions) = (judgement.verdict(), joined(entry.assumptions, words));
-    parts.push(format!(r"Verdict: \textbf{{{verdict}}}. Assumes: {assumptions}."));
+    let basis = words(&judgement.basis_in_words());
+    parts.push(format!(r"Verdict: \textbf{{{verdict}}}{basis}. Assumes: {assumptions}."));
     let theorems = entry.theorems().map(|theorem| {
         format!(r"\texttt{{{}}} ({}): {}", escaped(theorem.name), escaped(theorem.file), words(theorem.says))
     });

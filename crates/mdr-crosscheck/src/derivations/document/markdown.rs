@@ -44,7 +44,7 @@ fn page(judgements: &[Judgement]) -> String {
             judgement.entry.title,
             judgement.tally(),
             judgement.mutants().len(),
-            judgement.verdict()
+            judgement.verdict_and_basis()
         );
     }
     page += &format!("\n{}\n", summary(judgements));
@@ -99,7 +99,12 @@ fn errata_page(judgements: &[Judgement]) -> String {
 
 fn entry(judgement: &Judgement, level: &str) -> String {
     let entry = judgement.entry;
-    let mut section = format!("{level} {}\n\nVerdict: **{}**.", heading(judgement), judgement.verdict());
+    let mut section = format!(
+        "{level} {}\n\nVerdict: **{}**{}.",
+        heading(judgement),
+        judgement.verdict(),
+        judgement.basis_in_words()
+    );
     if !entry.assumptions.is_empty() {
         section += &format!(" Assumes: {}.", joined(entry.assumptions, words));
     }

@@ -5,7 +5,7 @@ mod markdown;
 mod prose;
 mod text;
 
-use mdr_symbolic::derivations::{Erratum, Verdict};
+use mdr_symbolic::derivations::{Basis, Erratum, Verdict};
 use mdr_symbolic::{Decision, Domain};
 
 use super::{AGREEMENT, Judgement, MutantVerdict, Mutants, StepJudgement};
@@ -60,6 +60,11 @@ fn place(step: &StepJudgement) -> String {
         Verdict::Enclosed | Verdict::Agrees => format!(" in numbers{bits}"),
         Verdict::Sampled => {
             format!(" for {}, certain at {} of {} points", domains.join(" and "), step.certain, step.points)
+        }
+        Verdict::Theorem => {
+            let by = step.step.by_theorem().filter(|name| !name.is_empty()).map(|name| format!(", by {name}"));
+            let coq = step.step.proved_in_coq().map(|name| format!(", in Coq {name}")).unwrap_or_default();
+            format!(" for {}{coq}{}", domains.join(" and "), by.unwrap_or_default())
         }
         _ => {
             let coq = step.step.proved_in_coq().map(|name| format!(", in Coq {name}")).unwrap_or_default();
@@ -142,6 +147,24 @@ impl Judgement {
     /// The verdict on the entry as one word.
     pub fn verdict(&self) -> &'static str {
         if self.holds() { self.entry.verdict().word() } else { "FAILED" }
+    }
+
+    /// What the theorems of the entry rest on, where its verdict is that of a theorem.
+    fn basis(&self) -> Option<Basis> {
+        (self.holds() && self.entry.verdict() == Verdict::Theorem).then(|| self.entry.basis()).flatten()
+    }
+
+    /// The verdict, with the basis of a theorem that is not derived from the energy, briefly.
+    pub fn verdict_and_basis(&self) -> String {
+        match self.basis() {
+            Some(basis) if basis != Basis::Derived => format!("{} ({})", self.verdict(), basis.word()),
+            _ => self.verdict().to_owned(),
+        }
+    }
+
+    /// The basis of a theorem in words, after a comma.
+    fn basis_in_words(&self) -> String {
+        self.basis().map(|basis| format!(", {}", basis.words())).unwrap_or_default()
     }
 
     /// How many steps of each kind, briefly.

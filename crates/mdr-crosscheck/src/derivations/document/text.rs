@@ -25,7 +25,7 @@ impl Document<'_> {
 
 fn entry(judgement: &Judgement) -> String {
     let entry = judgement.entry;
-    let mut lines = vec![format!("{}: {}", heading(judgement), judgement.verdict())];
+    let mut lines = vec![format!("{}: {}{}", heading(judgement), judgement.verdict(), judgement.basis_in_words())];
     lines.extend(entry.assumptions.iter().map(|assumption| format!("  assumes {}", words(assumption))));
     lines.push(wrapped(&format!("where {}", hypotheses(judgement)), "  "));
     lines.extend(

@@ -3,6 +3,8 @@
 pub(crate) mod edges;
 #[cfg(feature = "mp")]
 mod edges_proof;
+#[cfg(feature = "mp")]
+mod energies;
 mod events;
 #[cfg(feature = "mp")]
 mod law;
@@ -21,6 +23,8 @@ use super::room::{Content, Facts, Open, Request, Room as IsRoom, Subject, Table,
 use super::{Output, Want};
 use crate::answer::record::{Numbers, Part, Row, record};
 use crate::answer::{Admission, Cell, Column, Completeness, List, Number, NumberStyle, Optional, Promise, Value};
+#[cfg(feature = "mp")]
+use crate::scene::{Arithmetic, Scene};
 #[cfg(feature = "mp")]
 use crate::solve::model::Model;
 use crate::solve::model::SceneReal;
@@ -179,6 +183,12 @@ impl LoadingPath {
         LoadingPath { events: List::new(promise, events).complete(complete), balance, energy: None }
     }
 
+    /// Takes the energies from another computation of the same path, with the same promise.
+    #[cfg(feature = "mp")]
+    pub(crate) fn with_proved_energy_of(self, other: PathNumbers<Number>) -> Self {
+        LoadingPath { energy: None, ..self.with_energy_of(Promise::Certified, other) }
+    }
+
     /// Takes the energies from another computation of the same path.
     #[cfg(feature = "mp")]
     pub(crate) fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
@@ -271,7 +281,13 @@ impl<'w> IsRoom<'w> for Room {
             return proved_between_edges(certified);
         }
         let Some(folds) = certified.fold_proof()? else { return Ok(None) };
-        let Some((proved, followed)) = proof::path(certified, folds)? else { return Ok(None) };
+        let Some((proved, mut followed)) = proof::path(certified, folds)? else { return Ok(None) };
+        if !has_energies(certified) {
+            return Ok(Some(proved.into()));
+        }
+        if let Some(path) = followed.proved_energy(certified, folds)? {
+            return Ok(Some(proved.with_proved_energy_of(path).into()));
+        }
         let path = match followed.with_energy(certified, folds) {
             Ok(path) => proved.with_energy_of(Promise::Estimated, path),
             Err(error) => proved.without_energy(&error.to_string()),
@@ -330,6 +346,33 @@ fn numbers<R: SceneReal>(states: &States<'_, R>) -> Result<PathNumbers<Estimate<
     events::with_energy(&path, &states.scene.path, &states.branches)
 }
 
+/// The digits up to which the energies of a path are computed unless the scene says otherwise.
+#[cfg(feature = "mp")]
+const DIGITS_WITH_ENERGIES: u32 = 50;
+
+/// Whether the energies of a path are wanted.
+#[cfg(feature = "mp")]
+fn has_energies(certified: &Certified<'_>) -> bool {
+    certified.scene.energies.unwrap_or(certified.digits <= DIGITS_WITH_ENERGIES)
+}
+
+/// What has to be said of a path without its energies.
+#[cfg(feature = "mp")]
+pub(crate) fn note(scene: &Scene, outputs: &[Output]) -> Option<String> {
+    let is_without = |output: &Output| match output {
+        Output::Path(path) => {
+            let changes = |event: &PathEvent| event.dissipated.is_none() && changes(event.event);
+            path.balance.is_none() && path.events.items.iter().any(changes)
+        }
+        _ => false,
+    };
+    let is_long = matches!(scene.arithmetic, Arithmetic::Certified { digits } if digits > DIGITS_WITH_ENERGIES);
+    (is_long && scene.energies.is_none() && outputs.iter().any(is_without)).then(|| {
+        "beyond 50 digits the energies of a path are computed where they are wanted: [output] energies = \"yes\""
+            .to_owned()
+    })
+}
+
 /// The path of a search in f64, of one edge or between two.
 ///
 /// # Errors
@@ -362,6 +405,9 @@ fn proved_between_edges(certified: &Certified<'_>) -> Result<Option<Output>> {
         };
         let pair = edges_proof::Pair { edges, folds: [advancing, receding] };
         let Some((proved, followed)) = edges_proof::path(&pair)? else { return Ok(None) };
+        if !has_energies(certified) {
+            return Ok(Some(proved.into()));
+        }
         let path = match followed.with_energy(&pair) {
             Ok(path) => proved.with_energy_of(Promise::Estimated, path),
             Err(error) => proved.without_energy(&error.to_string()),

@@ -1,6 +1,6 @@
 //! The path over enclosures: every digit and every decision proved, except for its energies.
 
-use mdr_core::contact::{self, Control, Error, Result};
+use mdr_core::contact::{self, Control, Error, Quantity, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
@@ -10,12 +10,12 @@ use mdr_numeric::path::{Event, Path};
 use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
-use super::{LoadingPath, PathEvent, PathNumbers, events, follow, is_arrival};
+use super::{LoadingPath, PathEvent, PathNumbers, energies, events, follow, is_arrival};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise, Value};
 use crate::scene::Medium;
 use crate::solve::certified::Certified;
-use crate::solve::digits::{agree, decide_from, guarded, raised, start};
+use crate::solve::digits::{MOST_OF_INTEGRALS, agree, decide_from, decide_within, guarded, raised, start};
 use crate::solve::model::Model;
 use crate::solve::proof::{Enclosed, FoldProof, decided, exactly};
 
@@ -82,6 +82,39 @@ impl Followed {
                 SearchedBranches::cut_at(model.contact(), folds).with_admissibility(certified.admissibility()?);
             events::with_energy(&self.path.map(rounded), &certified.scene.path, &branches)
         })
+    }
+}
+
+impl Followed {
+    /// Its energies over enclosures, each of them proved; `None` if one cannot be.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn proved_energy(
+        &mut self,
+        certified: &Certified<'_>,
+        folds: &FoldProof,
+    ) -> Result<Option<PathNumbers<Number>>> {
+        let scene = certified.scene;
+        if !scene.medium.is_half_space() {
+            return Ok(None);
+        }
+        let Some(formulas) = decided(certified.formulas())?.flatten() else { return Ok(None) };
+        let begin = Precision::new(self.bits);
+        let numbers = decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |precision| {
+            if self.bits < precision.bits() {
+                *self = Followed::new(certified, folds, precision)?;
+            }
+            let model: Model<Interval> = certified.model(precision)?;
+            let open = || Error::undecided(Quantity::Radius, model.contact().modulus(), "the order of two kinks");
+            let profile = formulas.continued(precision)?.ok_or_else(open)?;
+            energies::of_path(&self.path, &scene.path, &model.contact(), &profile)
+        });
+        match numbers {
+            // Two estimates may reach where one integral does not.
+            Err(Error::Domain { .. }) => Ok(None),
+            numbers => decided(numbers),
+        }
     }
 }
 

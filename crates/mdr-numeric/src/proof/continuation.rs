@@ -1,0 +1,272 @@
+//! g over complex sets of radii, from the formula of the profile: the proof that integrals over g converge as they are said to.
+//!
+//! Between two kinks g is an analytic function, which goes on beyond them. With D = r d/dr and part 0 of f before its first kink,
+//!
+//! G₀(x) = ∫₀^{π/2} sinθ (1 + D)f₀(x sinθ) dθ.
+//!
+//! Beyond a kink b, where part k of f follows part k − 1, and Δ is their difference, g has the further term
+//!
+//! x σ ∫₀^{π/2} sinφ r⁻² DΔ(r) dφ, σ = √(x² − b²), r² = b² + σ² sin²φ,
+//!
+//! which is (1.1) of Δ from b on. It is analytic in σ, so that g is, next to a kink, in σ instead of x. The weights sinθ dθ are
+//! positive with the sum 1: over a convex set of values each mean lies in it, and some cells of angles give an enclosure.
+
+use mdr_core::calculus::enclose::BOUND_BITS;
+use mdr_core::contact::EnclosedFormula;
+use mdr_core::number::{Analytic, Euler, Interval, Precision, Real, Rectangle};
+use rug::Float;
+use rug::float::Round;
+
+/// Cells of angles, of equal weight.
+const CELLS: i64 = 6;
+
+/// A profile f, as a sum of formulas, with its analytic continuation beyond kinks; from it g is bounded over complex sets of
+/// radii, where its closed form or its integral is for numbers only.
+///
+/// ```
+/// use mdr_core::contact::Expression;
+/// use mdr_core::number::{Interval, Precision};
+/// use mdr_numeric::proof::Continuation;
+/// let (formula, none): (Expression, _) = ("r^2/2 - 0.1*max(0, r - 1)".parse()?, Default::default());
+/// let precision = Precision::new(100);
+/// let profile = Continuation::new(vec![formula.enclosed(&none, &formula.breaks(&none)?, precision)?]);
+/// let profile = profile.expect("one kink");
+/// // g = x² on [0.5, 0.6]
+/// let x = Interval::from_f64(precision, 0.5).hull(&Interval::from_f64(precision, 0.6));
+/// let g = profile.range(&x).expect("defined");
+/// assert!(g.contains(Interval::from_f64(precision, 0.25).lower()) && g.contains(Interval::from_f64(precision, 0.36).upper()));
+/// # Ok::<(), mdr_core::contact::ExpressionError>(())
+/// ```
+pub struct Continuation {
+    terms: Vec<EnclosedFormula>,
+    breaks: Vec<Interval>,
+    /// sinθ over each cell, and sin²θ.
+    cells: Vec<[Interval; 2]>,
+}
+
+impl Continuation {
+    /// The sum of formulas; `None` if two of their kinks are so close to each other that their order is not known.
+    pub fn new(terms: Vec<EnclosedFormula>) -> Option<Self> {
+        let mut breaks: Vec<Interval> = terms.iter().flat_map(EnclosedFormula::breaks).cloned().collect();
+        breaks.sort_by(|one, other| one.lower().total_cmp(other.lower()));
+        breaks.dedup_by(|one, other| one.lower() == other.lower() && one.upper() == other.upper());
+        if breaks.windows(2).any(|pair| pair[0].upper() >= pair[1].lower()) {
+            return None;
+        }
+        Some(Continuation { terms, breaks, cells: cells() })
+    }
+
+    /// Enclosures of the radii where f is not smooth, ascending.
+    pub fn breaks(&self) -> &[Interval] {
+        &self.breaks
+    }
+
+    /// Whether f is known up to a radius.
+    pub(super) fn reaches(&self, x: &Interval) -> bool {
+        self.terms.iter().all(|term| {
+            term.outer_radius().is_none_or(|outer| x.upper() < outer.lower())
+                && term.known_to().is_none_or(|known_to| x.upper() <= known_to)
+        })
+    }
+
+    /// The part of a term that follows so many kinks of the sum.
+    fn index(&self, term: &EnclosedFormula, beyond: usize) -> usize {
+        let Some(last) = beyond.checked_sub(1).and_then(|last| self.breaks.get(last)) else { return 0 };
+        term.breaks().partition_point(|b| b.upper() <= last.upper())
+    }
+
+    /// f after so many kinks.
+    pub(super) fn height<T: Analytic>(&self, r: &T, beyond: usize) -> Option<T> {
+        let values = self.terms.iter().map(|term| term.part(self.index(term, beyond))?.at(r));
+        sum(values)
+    }
+
+    /// Δ at a kink, of the terms that change there.
+    fn change<T: Analytic>(&self, r: &T, kink: usize) -> Option<T> {
+        let of = |term: &EnclosedFormula| {
+            let [before, after] = [kink, kink + 1].map(|beyond| self.index(term, beyond));
+            (before != after).then_some((before, after))
+        };
+        let changing = self.terms.iter().filter_map(|term| Some((term, of(term)?)));
+        sum(changing.map(|(term, (before, after))| Some(term.part(after)?.at(r)?.minus(&term.part(before)?.at(r)?))))
+    }
+
+    /// Bounds of g over an interval of real radii that may begin at 0 and may hold kinks; `None` where f is not defined.
+    pub fn range(&self, x: &Interval) -> Option<Interval> {
+        let x = x.rounded(Precision::new(BOUND_BITS));
+        let mut means = Vec::new();
+        for [sine, _] in &self.cells {
+            let r = x.clone() * sine;
+            let first = self.breaks.partition_point(|b| b.upper() < r.lower());
+            let last = self.breaks.partition_point(|b| b.lower() <= r.upper());
+            let mut parts = (first..=last).map(|beyond| {
+                let f = self.height(&Euler::variable(&r, 1), beyond)?;
+                Some(f.value().plus(&f.derivative(1)))
+            });
+            let one = parts.next()??;
+            means.push(parts.try_fold(one, |hull, other| Some(hull.hull(&other?)))?);
+        }
+        mean(means.into_iter().map(Some))
+    }
+
+    /// g over a complex set of radii beyond so many kinks. `legs` has σ of each of them.
+    pub(super) fn g(&self, x: &Rectangle, legs: &[Rectangle]) -> Option<Rectangle> {
+        let mut g = mean(self.cells.iter().map(|[sine, _]| {
+            let f = self.height(&Euler::variable(&x.scaled(sine), 1), 0)?;
+            Some(f.value().plus(&f.derivative(1)))
+        }))?;
+        for (kink, leg) in legs.iter().enumerate() {
+            let [i, _] = self.beyond(kink, leg)?;
+            g = g.plus(&x.product(leg).product(&i));
+        }
+        Some(g)
+    }
+
+    /// ∫ sinφ r⁻² DΔ dφ, and ∫ sin³φ r⁻⁴ (D² − 2D)Δ dφ, its derivative in x over x.
+    fn beyond(&self, kink: usize, leg: &Rectangle) -> Option<[Rectangle; 2]> {
+        let square = leg.constant(&self.breaks[kink]).squared();
+        let at = |[_, share]: &[Interval; 2]| {
+            let r_squared = leg.squared().scaled(share).plus(&square);
+            let change = self.change(&Euler::variable(&r_squared.sqrt()?, 2), kink)?;
+            let (first, second) = (change.derivative(1), change.derivative(2));
+            let rise = second.minus(&first.plus(&first));
+            Some([first.quotient(&r_squared)?, rise.quotient(&r_squared.squared())?.scaled(share)])
+        };
+        let both: Vec<[Rectangle; 2]> = self.cells.iter().map(at).collect::<Option<_>>()?;
+        let of = |k: usize| mean(both.iter().map(|pair| Some(pair[k].clone())));
+        Some([of(0)?, of(1)?])
+    }
+
+    /// x g' of part 0: ∫ sinθ (D + D²)f₀ dθ.
+    pub(super) fn first_rise(&self, x: &Rectangle) -> Option<Rectangle> {
+        mean(self.cells.iter().map(|[sine, _]| {
+            let f = self.height(&Euler::variable(&x.scaled(sine), 2), 0)?;
+            Some(f.derivative(1).plus(&f.derivative(2)))
+        }))
+    }
+
+    /// dg/dx, or with `by_leg` dg/dσ of the last kink, which is bounded next to it.
+    pub(super) fn slope(&self, x: &Rectangle, legs: &[Rectangle], by_leg: bool) -> Option<Rectangle> {
+        let mut slope = self.first_rise(x)?.quotient(x)?;
+        let square = x.squared();
+        let (last, others) = match legs.split_last() {
+            Some((last, others)) if by_leg => (Some(last), others),
+            _ => (None, legs),
+        };
+        for (kink, leg) in others.iter().enumerate() {
+            let [i, j] = self.beyond(kink, leg)?;
+            let factor = leg.plus(&square.quotient(leg)?);
+            slope = slope.plus(&factor.product(&i)).plus(&square.product(leg).product(&j));
+        }
+        let Some(leg) = last else { return Some(slope) };
+        let [i, j] = self.beyond(others.len(), leg)?;
+        let own = leg.squared().quotient(x)?.plus(x).product(&i).plus(&leg.squared().product(x).product(&j));
+        Some(slope.product(leg).quotient(x)?.plus(&own))
+    }
+
+    /// σ of each kink before x, the last of them given.
+    pub(super) fn legs(&self, x: &Rectangle, beyond: usize, last: Option<&Rectangle>) -> Option<Vec<Rectangle>> {
+        let square = x.squared();
+        let leg = |(kink, b): (usize, &Interval)| match last {
+            Some(last) if kink + 1 == beyond => Some(last.clone()),
+            _ => square.minus(&square.constant(b).squared()).sqrt(),
+        };
+        self.breaks[..beyond].iter().enumerate().map(leg).collect()
+    }
+
+    /// Whether f'(0) = 0 exactly, where f is smooth at the tip.
+    pub(super) fn is_flat_at_tip(&self, precision: Precision) -> bool {
+        let zero = Interval::from_int(precision, 0);
+        self.terms.iter().all(|term| {
+            let slope = term.part(0).and_then(|part| part.stretch(&zero));
+            slope.is_some_and(|slope| slope.lower().is_zero() && slope.upper().is_zero())
+        })
+    }
+
+    /// Bounds of g' on [0, x], without kinks there, over π/2.
+    pub(super) fn stretch_from_tip(&self, x: &Interval) -> Option<Interval> {
+        let first = self.breaks.first();
+        if first.is_some_and(|b| b.lower() <= x.upper()) {
+            return None;
+        }
+        let radii = x.lit(0).hull(x);
+        sum(self.terms.iter().map(|term| term.part(0)?.stretch(&radii)))
+    }
+}
+
+/// The sum of what is defined.
+fn sum<T: Analytic>(mut values: impl Iterator<Item = Option<T>>) -> Option<T> {
+    let first = values.next()??;
+    values.try_fold(first, |sum, value| Some(sum.plus(&value?)))
+}
+
+/// The mean over the cells.
+fn mean<T: Analytic>(values: impl Iterator<Item = Option<T>>) -> Option<T> {
+    let total = sum(values)?;
+    let bits = Precision::new(total.bits());
+    Some(total.scaled(&Real::over(Interval::from_int(bits, 1), CELLS))).filter(T::is_bounded)
+}
+
+/// sinθ and sin²θ on cells in which cosθ falls by equal steps.
+fn cells() -> Vec<[Interval; 2]> {
+    let precision = Precision::new(BOUND_BITS);
+    // 1 − (1 − j/n)² = j(2n − j)/n².
+    let square = |j: i64| Interval::from_int(precision, j * (2 * CELLS - j)).over(CELLS * CELLS);
+    let cell = |j: i64| {
+        let (from, to) = (square(j), square(j + 1));
+        [Real::sqrt(&from).hull(&Real::sqrt(&to)), from.hull(&to)]
+    };
+    (0..CELLS).map(cell).collect()
+}
+
+/// What the radii of a piece of an integral have in common: they lie beyond so many kinks, and are x = v or, beyond a kink b,
+/// x² = b² + v², with v from one number to another as t goes from 0 to 1.
+pub(super) struct Stretch<'a> {
+    pub(super) profile: &'a Continuation,
+    pub(super) beyond: usize,
+    /// A number whose square is x² − v².
+    pub(super) base: Option<Interval>,
+    pub(super) from: Interval,
+    pub(super) length: Interval,
+}
+
+impl Stretch<'_> {
+    /// v and x.
+    pub(super) fn at<T: Analytic>(&self, t: &T) -> Option<[T; 2]> {
+        let v = t.scaled(&self.length).plus(&t.constant(&self.from));
+        let x = match &self.base {
+            None => v.clone(),
+            Some(base) => v.squared().plus(&v.constant(base).squared()).sqrt()?,
+        };
+        Some([v, x])
+    }
+
+    /// v and x over an interval of t, on which v does not fall below 0.
+    pub(super) fn over(&self, t: &Interval) -> Option<[Interval; 2]> {
+        let [v, x] = self.at(t)?;
+        let above = |y: Interval| {
+            let zero = Float::new(y.lower().prec());
+            let lower = if y.lower().is_sign_negative() { zero } else { y.lower().clone() };
+            if *y.upper() < lower { None } else { Some(Interval::new(lower, y.upper().clone())) }
+        };
+        Some([above(v)?, above(x)?])
+    }
+}
+
+/// √(x² − b²); 0 where both are the same enclosure of one number.
+pub(super) fn leg(x: &Interval, b: &Interval) -> Interval {
+    if x.lower() == b.lower() && x.upper() == b.upper() {
+        return x.lit(0);
+    }
+    let product = (x.clone() - b) * (x.clone() + b);
+    // A number that is not below 0.
+    let zero = Float::new(product.lower().prec());
+    let lower = if product.lower().is_sign_negative() { zero.clone() } else { product.lower().clone() };
+    let upper = if *product.upper() < zero { zero } else { product.upper().clone() };
+    Real::sqrt(&Interval::new(lower, upper))
+}
+
+/// A number of bounds, rounded up.
+pub(super) fn up(value: &Float) -> Float {
+    Float::with_val_round(BOUND_BITS, value, Round::Up).0
+}

@@ -1,0 +1,269 @@
+//! Pressure, displacement and gap over enclosures.
+//!
+//! Outside the contact the order of two integrals is exchanged: with f for g the displacement has one, whose kernel is smooth up to
+//! the edge, c² = r² − a²,
+//!
+//! u(r) = (2/π) \[d arcsin(a/r) − a c ∫₀^{π/2} sinθ f(a sinθ)/(r² − a² sin²θ) dθ\],
+//!
+//! and the gap is f(r) − d + u(r). In it the inner integral ∫ₛᵃ x dx/√((r² − x²)(x² − s²)) = arctan(√(a² − s²)/c) was done, and f'
+//! integrated by parts. Within the contact
+//!
+//! p(r) = (E*/π) \[∫ᵣᵃ g'(x)/√(x² − r²) dx − (g(a) − d)/√(a² − r²)\]
+//!
+//! is integrated over √(x² − r²), beyond a kink b over √(x² − b²).
+
+use mdr_core::calculus::enclose::{Integrand, Sampled};
+use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Transform};
+use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle, Special};
+use rug::Float;
+
+use super::continuation::{Continuation, Stretch, leg};
+use super::energy::{located, over_unit_interval, unproved};
+use crate::contact::Contact;
+
+/// The radius, over that of the contact, up to which g' is looked at for a tip where the pressure is infinite.
+const NEAR_TIP: i64 = 1 << 20;
+
+/// Pressure, displacement and gap of a state on a half-space, as enclosures.
+///
+/// ```
+/// use std::sync::Arc;
+/// use mdr_core::contact::{Control, Equilibrium, Expression, Material, Stability};
+/// use mdr_core::number::{Interval, Precision, Real};
+/// use mdr_numeric::{contact::Contact, proof::{Continuation, EnclosedFields}, transform::Enclosed};
+/// let (formula, none): (Expression, _) = ("r^2/2".parse()?, Default::default());
+/// let precision = Precision::new(100);
+/// let formula = || formula.enclosed(&none, &formula.breaks(&none)?, precision);
+/// let (transform, one) = (Arc::new(Enclosed::new(formula()?, precision)), Interval::from_int(precision, 1));
+/// let contact = Contact::half_space(&transform, &Material::new(one.clone(), one.clone())?, &Control::Indentation);
+/// let profile = Continuation::new(vec![formula()?]).expect("no kinks");
+/// // Hertz: p(0) = 2E*a/πR, where d = a²/R leaves no adhesion.
+/// let state = Equilibrium {
+///     contact_radius: one.clone(), indentation: one.clone(), force: one.clone(), stability: Stability::Stable,
+/// };
+/// let pressure = EnclosedFields::new(&contact, &profile, &state)?.pressure(&one.lit(0))?;
+/// assert!((pressure.approx() - std::f64::consts::FRAC_2_PI).abs() < 1e-15 && pressure.accuracy_bits() > 80);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct EnclosedFields<'a> {
+    contact: &'a Contact<Interval>,
+    profile: &'a Continuation,
+    a: Interval,
+    d: Interval,
+    /// g(a) − d.
+    edge: Interval,
+}
+
+impl<'a> EnclosedFields<'a> {
+    /// # Errors
+    /// [`Error::Domain`] on another medium than a half-space, and unless the contact radius is positive; errors of the transform.
+    pub fn new(
+        contact: &'a Contact<Interval>,
+        profile: &'a Continuation,
+        state: &Equilibrium<Interval>,
+    ) -> Result<Self> {
+        super::check_half_space(contact)?;
+        let a = Error::require_positive(Quantity::ContactRadius, state.contact_radius.clone())?;
+        if !profile.reaches(&a) || profile.breaks().iter().any(|b| b.overlaps(&a)) {
+            return Err(unproved(&a));
+        }
+        let d = state.indentation.clone();
+        let edge = if contact.vertical_edge().is_some_and(|wall| wall.overlaps(&a)) {
+            contact.transform().g(&a)? - &d
+        } else {
+            contact.elongation(&a)
+        };
+        Ok(EnclosedFields { contact, profile, a, d, edge })
+    }
+
+    /// The precision of the enclosures.
+    pub fn precision(&self) -> Precision {
+        self.a.ctx()
+    }
+
+    /// dF/dd along the equilibria, in N/m.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] where it is not certain that the state is no fold of the indentation; errors of the transform.
+    pub fn stiffness(&self) -> Result<Interval> {
+        let stiffness = self.contact.stiffness(&self.a);
+        if self.contact.vertical_edge().is_some_and(|wall| wall.overlaps(&self.a)) {
+            return Ok(stiffness);
+        }
+        let slope = self.contact.transform().slope(&self.a)?;
+        let work = self.contact.adhesion().scale();
+        let ratio = self.contact.medium().stiffening(work, slope, &self.a).filter(Real::is_finite);
+        let open =
+            || Error::undecided(Quantity::ContactRadius, &self.a, "whether the state is a fold of the indentation");
+        Ok(ratio.ok_or_else(open)? * stiffness)
+    }
+
+    /// The displacement u(r) at r > a, in m, positive into the half-space.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless r > a; [`Error::Unproved`] where an integral takes too many pieces.
+    pub fn displacement(&self, r: &Interval) -> Result<Interval> {
+        let a = &self.a;
+        if !(r > a && Real::is_finite(r)) {
+            return Err(Error::domain(Quantity::Radius, r, "finite and outside the contact, r > a"));
+        }
+        let c = leg(r, a);
+        let mut integral = a.lit(0);
+        let breaks = self.profile.breaks();
+        let inside = breaks.partition_point(|b| b.upper() < a.lower());
+        let angle = |b: &Interval| Special::asin(&(b.rounded(a.ctx()) / a));
+        let mut from = a.lit(0);
+        for beyond in 0..=inside {
+            let to = if beyond < inside { angle(&breaks[beyond]) } else { a.pi().over(2) };
+            let kernel = Kernel { fields: self, r, beyond, from: from.clone(), width: to.clone() - &from };
+            integral += &over_unit_interval(&kernel, a.precision()).map_err(|error| located(error, r))?;
+            from = to;
+        }
+        let held = self.d.clone() * Special::atan(&(a.clone() / &c));
+        Ok((held - integral * a * c).times(2) / a.pi())
+    }
+
+    /// The gap at r > a, in m.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless r > a and within the profile; [`EnclosedFields::displacement`].
+    pub fn gap(&self, r: &Interval) -> Result<Interval> {
+        let outside = self.displacement(r)?;
+        let outer = self.contact.transform().outer_radius();
+        if !self.profile.reaches(r) || outer.is_some_and(|outer| r.upper() >= outer.lower()) {
+            return Err(unproved(r));
+        }
+        let breaks = self.profile.breaks();
+        let first = breaks.partition_point(|b| b.upper() < r.lower());
+        let last = breaks.partition_point(|b| b.lower() <= r.upper());
+        // f is continuous: at a kink it is in both parts.
+        let heights = (first..=last).map(|beyond| self.profile.height(r, beyond).ok_or_else(|| unproved(r)));
+        let mut heights = heights.collect::<Result<Vec<_>>>()?.into_iter();
+        let one = heights.next().ok_or_else(|| unproved(r))?;
+        let height = heights.fold(one, |hull, other| hull.hull(&other));
+        Ok(height - &self.d + outside)
+    }
+
+    /// The pressure p(r) at 0 ≤ r < a, in Pa; negative is tension.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless 0 ≤ r < a, and at a tip where the pressure is infinite; [`Error::Unproved`] at a kink, and where an
+    /// integral takes too many pieces.
+    pub fn pressure(&self, r: &Interval) -> Result<Interval> {
+        let a = &self.a;
+        let zero = r.lit(0);
+        if !(*r >= zero && r < a) {
+            return Err(Error::domain(Quantity::Radius, r, "within the contact, 0 <= r < a"));
+        }
+        let breaks = self.profile.breaks();
+        if breaks.iter().any(|b| b.overlaps(r)) {
+            return Err(unproved(r));
+        }
+        let at_tip = r.upper().is_zero();
+        if at_tip && self.is_infinite_at_tip() {
+            return Err(Error::domain(Quantity::Radius, r, "off a tip or an edge where the pressure is infinite"));
+        }
+        let is_flat = at_tip && self.profile.is_flat_at_tip(a.ctx());
+        let before = breaks.partition_point(|b| b.upper() < r.lower());
+        let inside = breaks.partition_point(|b| b.upper() < a.lower());
+        let mut bulk = zero.clone();
+        for beyond in before..=inside {
+            let to = if beyond < inside { breaks[beyond].rounded(a.ctx()) } else { a.clone() };
+            let kink = (beyond > before).then(|| breaks[beyond - 1].rounded(a.ctx()));
+            let base = kink.as_ref().or((!at_tip).then_some(r)).cloned();
+            let length = base.as_ref().map_or_else(|| to.clone(), |base| leg(&to, base));
+            let stretch = Stretch { profile: self.profile, beyond, base, from: zero.clone(), length };
+            let rest = kink.as_ref().map(|kink| (kink.clone() - r) * (kink.clone() + r));
+            let load = Load { transform: self.contact.transform(), stretch, rest, is_flat };
+            bulk += &over_unit_interval(&load, a.precision()).map_err(|error| located(error, r))?;
+        }
+        Ok((bulk - self.edge.clone() / leg(a, r)) / a.pi() * self.contact.modulus())
+    }
+
+    /// Whether g' is certainly of one sign, and not near 0, next to the tip.
+    fn is_infinite_at_tip(&self) -> bool {
+        let near = self.a.clone().over(NEAR_TIP);
+        self.profile.stretch_from_tip(&near).is_some_and(|slope| !slope.contains_zero())
+    }
+}
+
+/// sinθ f(a sinθ)/(r² − a² sin²θ) dθ/dt, where r² − a² sin²θ = c² + a² cos²θ.
+struct Kernel<'a> {
+    fields: &'a EnclosedFields<'a>,
+    r: &'a Interval,
+    beyond: usize,
+    from: Interval,
+    width: Interval,
+}
+
+impl Integrand for Kernel<'_> {
+    fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
+        let EnclosedFields { profile, a, .. } = self.fields;
+        let (sine, cosine) = t.scaled(&self.width).plus(&t.constant(&self.from)).sin_cos();
+        let far = t.constant(&leg(self.r, a)).squared().plus(&cosine.scaled(a).squared());
+        let height = profile.height(&sine.scaled(a), self.beyond)?;
+        Some(vec![height.product(&sine).quotient(&far)?.scaled(&self.width)])
+    }
+}
+
+/// g' dx/dt/√(x² − r²).
+struct Load<'a> {
+    transform: &'a dyn Transform<Interval>,
+    stretch: Stretch<'a>,
+    /// b² − r², if the piece begins at a kink b.
+    rest: Option<Interval>,
+    /// Whether the piece begins at the axis, where g'/x is analytic.
+    is_flat: bool,
+}
+
+impl Load<'_> {
+    /// dg/dv, and beside a kink over √(v² + b² − r²), else over x.
+    fn of<T: Analytic>(&self, slope: &T, [v, x]: &[T; 2]) -> Option<Vec<T>> {
+        let distance = match &self.rest {
+            Some(rest) => v.squared().plus(&v.constant(rest)).sqrt()?,
+            None => x.clone(),
+        };
+        Some(vec![slope.quotient(&distance)?.scaled(&self.stretch.length)])
+    }
+
+    /// Around the axis g'/x = h/x² is analytic, and nowhere larger than on the boundary.
+    fn around_axis(&self, x: &Rectangle) -> Option<Vec<Rectangle>> {
+        let rise = self.stretch.profile.first_rise(x)?;
+        let size = |z: &Rectangle| Real::sqrt(&(z.re().abs().square() + z.im().abs().square()));
+        let ends = [x.re().lower(), x.re().upper(), x.im().upper()];
+        let mut nearest = Interval::point(ends[0].clone()).abs();
+        for end in &ends[1..] {
+            nearest = nearest.lesser(&Interval::point((*end).clone()).abs());
+        }
+        let bound = (size(&rise) / nearest.square()).abs() * self.stretch.length.abs();
+        if !Real::is_finite(&bound) {
+            return None;
+        }
+        let zero = Float::new(bound.lower().prec());
+        let all = Interval::point(zero).inflate(&bound);
+        Some(vec![Rectangle::new(all.clone(), all)])
+    }
+}
+
+impl Sampled for Load<'_> {
+    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
+        let Some(place) = self.stretch.at(t) else { return Ok(None) };
+        let slope = self.transform.slope(&place[1])?;
+        let slope = if self.rest.is_some() { slope * &place[0] / &place[1] } else { slope };
+        Ok(self.of(&slope, &place))
+    }
+
+    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
+        let place = self.stretch.at(t)?;
+        if self.is_flat && self.stretch.base.is_none() && place[1].re().contains_zero() {
+            return self.around_axis(&place[1]);
+        }
+        let profile = self.stretch.profile;
+        let legs = profile.legs(&place[1], self.stretch.beyond, self.rest.as_ref().map(|_| &place[0]))?;
+        self.of(&profile.slope(&place[1], &legs, self.rest.is_some())?, &place)
+    }
+
+    fn range(&self, _: &Interval) -> Option<Vec<Interval>> {
+        None
+    }
+}

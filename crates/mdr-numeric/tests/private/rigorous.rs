@@ -1,0 +1,61 @@
+//! The remainder counts: where the image of each ellipse is taken for a point, and with it the remainder for nothing, the enclosure
+//! fails.
+
+use std::sync::Arc;
+
+use mdr_core::contact::{Expression, Material};
+
+use super::*;
+use crate::transform::Enclosed;
+
+/// g² without remainders.
+struct Dropped<'a>(Square<'a>);
+
+impl Sampled for Dropped<'_> {
+    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
+        self.0.values(t)
+    }
+
+    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
+        let points = self.0.image(t)?.into_iter().map(|image| {
+            let zero = image.im().lit(0);
+            Rectangle::new(image.re().midpoint(), zero)
+        });
+        Some(points.collect())
+    }
+
+    fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
+        self.0.range(t)
+    }
+}
+
+/// ∫₀ᵃ g² at a = 0.3 over some waves, whole and without remainders.
+fn integrals(bits: u32) -> [Interval; 2] {
+    let formula: Expression = "r^2/2 + 5e-4*(1 - cos(20*pi*r))".parse().expect("a formula");
+    let (none, precision) = (Default::default(), Precision::new(bits));
+    let breaks = formula.breaks(&none).expect("no kinks");
+    let bound = || formula.enclosed(&none, &breaks, precision).expect("no names");
+    let transform = Enclosed::new(bound(), precision);
+    let profile = Continuation::new(vec![bound()]).expect("no kinks");
+    let one = Interval::from_int(precision, 1);
+    let radius = one.ratio(3, 10);
+    let square = || Square {
+        transform: &transform,
+        stretch: Stretch { profile: &profile, beyond: 0, base: None, from: one.lit(0), length: radius.clone() },
+    };
+    let material = Material::new(one.clone(), one.clone()).expect("positive");
+    let contact = Contact::half_space(&Arc::new(transform.clone()), &material, &Control::Indentation);
+    let whole = EnclosedEnergy::new(&contact, &profile).expect("a half-space").squares(&[radius.clone()]);
+    let whole = whole.expect("an integral").swap_remove(0);
+    [whole, over_unit_interval(&Dropped(square()), bits).expect("an integral")]
+}
+
+#[test]
+fn a_dropped_remainder_is_caught_at_few_bits() {
+    let [truth, _] = integrals(200);
+    for bits in [8, 12, 16, 20, 24] {
+        let [whole, dropped] = integrals(bits);
+        assert!(whole.overlaps(&truth), "{bits} bits: {whole} without {truth}");
+        assert!(bits < 16 || !dropped.overlaps(&truth), "{bits} bits: {dropped} holds {truth}");
+    }
+}

@@ -1,0 +1,146 @@
+//! Energies and fields as enclosures, against quadratures of f, and at so few bits that a missing error term would show.
+#![cfg(feature = "mp")]
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+use std::sync::Arc;
+
+use mdr_core::contact::{Control, Equilibrium, Error, Expression, Material, Stability, Transform};
+use mdr_core::number::{Interval, Literal, Precision, Real};
+use mdr_numeric::contact::Contact;
+use mdr_numeric::energy::Energy;
+use mdr_numeric::fields::Fields;
+use mdr_numeric::proof::{Continuation, EnclosedEnergy, EnclosedFields};
+use mdr_numeric::transform::{Enclosed, Quadrature};
+
+/// A smooth tip, waves, an end of the profile, a tip of another order, and kinks of f and of f'. With a radius of contact, and one
+/// within and one outside, and the bits of a truth: each value of g of a tip of another order takes many pieces.
+const CASES: [(&str, [&str; 3], u32); 8] = [
+    ("r^2/2", ["1", "0.5", "1.5"], 400),
+    ("r^2/2 + 5e-4*(1 - cos(20*pi*r))", ["0.09", "0.031", "0.1"], 120),
+    ("1 - sqrt(1 - r^2)", ["0.7", "0.2", "0.71"], 120),
+    ("r^1.5", ["0.4", "0.3", "0.9"], 60),
+    ("sqrt(r^2 + 0.01) - 0.1", ["0.3", "0.1", "0.31"], 120),
+    ("r^2/2 - 0.1*max(0, r - 0.1)", ["0.2", "0.05", "0.25"], 120),
+    ("0.3*max(0, r - 0.1)", ["0.15", "0.12", "0.4"], 120),
+    ("max(r^2 - 0.01, 0) + max(r - 0.2, 0)^2", ["0.3", "0.15", "0.5"], 120),
+];
+
+struct Case {
+    contact: Contact<Interval>,
+    profile: Continuation,
+    state: Equilibrium<Interval>,
+}
+
+fn number(text: &str, bits: u32) -> Interval {
+    Interval::from_literal(Precision::new(bits), &text.parse::<Literal>().unwrap())
+}
+
+/// The equilibrium with this radius.
+fn case(formula: &str, a: &str, bits: u32) -> Case {
+    let (formula, none) = (formula.parse::<Expression>().unwrap(), Default::default());
+    let precision = Precision::new(bits);
+    let bound = || formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap();
+    let transform = Arc::new(Enclosed::new(bound(), precision));
+    let material = Material::new(number("2", bits), number("1e-3", bits)).unwrap();
+    let contact = Contact::half_space(&transform, &material, &Control::Indentation);
+    let profile = Continuation::new(vec![bound()]).unwrap();
+    let contact_radius = number(a, bits);
+    let (indentation, force) = contact.state(&contact_radius).unwrap();
+    Case { contact, profile, state: Equilibrium { contact_radius, indentation, force, stability: Stability::Stable } }
+}
+
+/// Energy, stiffness, pressure, displacement and gap.
+fn all(formula: &str, [a, within, outside]: [&str; 3], bits: u32) -> [Result<Interval, Error>; 5] {
+    let Case { contact, profile, state } = case(formula, a, bits);
+    let energy = EnclosedEnergy::new(&contact, &profile).unwrap();
+    let fields = || EnclosedFields::new(&contact, &profile, &state);
+    let [within, outside] = [within, outside].map(|r| number(r, bits));
+    [
+        energy.potential(&state.contact_radius, &state.indentation),
+        fields().and_then(|fields| fields.stiffness()),
+        fields().and_then(|fields| fields.pressure(&within)),
+        fields().and_then(|fields| fields.displacement(&outside)),
+        fields().and_then(|fields| fields.gap(&outside)),
+    ]
+}
+
+#[test]
+fn enclosures_hold_what_quadratures_find() {
+    for (formula, radii, bits) in CASES {
+        let bits = bits.min(80);
+        let parsed: Expression = formula.parse().unwrap();
+        let none = Default::default();
+        let breaks = parsed.breaks(&none).unwrap();
+        let profile = parsed.bind::<f64>((), &none).unwrap().broken_at((), &breaks);
+        let transform = Arc::new(Quadrature::new(profile));
+        let contact = Contact::half_space(&transform, &Material::new(2.0, 1e-3).unwrap(), &Control::Indentation);
+        let [a, within, outside] = radii.map(|r| r.parse::<f64>().unwrap());
+        let fields = Fields::new(contact.clone(), a).unwrap();
+        let d = *fields.indentation();
+        let energy = Energy::new(contact).unwrap().potential(&a, &d).unwrap();
+        let wanted = [
+            energy,
+            fields.stiffness().unwrap(),
+            fields.pressure(&within).unwrap(),
+            fields.displacement(&outside).unwrap(),
+            fields.gap(&outside).unwrap(),
+        ];
+        // Each is a sum of terms of these sizes.
+        let sizes = [1e-3, 1.0, 1.0, transform.g(&a).unwrap().abs() + d.abs(), outside.powi(2) + outside.sqrt()];
+        for (index, found) in all(formula, radii, bits).into_iter().enumerate() {
+            let found = found.unwrap_or_else(|error| panic!("{formula}, {index}: {error}"));
+            let apart = (found.approx() - wanted[index]).abs();
+            assert!(
+                apart < 1e-10 * (sizes[index] + wanted[index].abs()),
+                "{formula}, {index}: {found}, {}",
+                wanted[index]
+            );
+            assert!(found.accuracy_bits() > i64::from(bits) - 40, "{formula}, {index}: {found}");
+        }
+    }
+}
+
+/// The truth is that of 120 bits or 400; it lies within what is said with few.
+#[test]
+fn few_bits_contain_the_truth() {
+    for (formula, radii, most) in CASES {
+        let truth = all(formula, radii, most);
+
+        for bits in [8, 11, 16, 24] {
+            for (index, (found, truth)) in all(formula, radii, bits).into_iter().zip(&truth).enumerate() {
+                // So few bits may not locate a kink, nor have rules with enough nodes.
+                // So few bits may not locate a kink, nor have rules with enough nodes.
+                let Ok(found) = found else {
+                    assert!(bits < 20, "{formula}, {index} at {bits} bits");
+                    continue;
+                };
+                let truth = truth.as_ref().unwrap();
+                assert!(found.overlaps(truth), "{formula}, {index} at {bits} bits: {found} without {truth}");
+            }
+        }
+    }
+}
+
+/// The sphere, E* = 1, w = 1e-6, at d = 0.001: Π = 1.27164829e-8 J at a = 0.0386250.
+#[test]
+fn a_sphere_as_a_formula_has_its_energy() {
+    let Case { profile, .. } = case("1 - sqrt(1 - r^2)", "0.0386250", 120);
+    let (formula, none) = ("1 - sqrt(1 - r^2)".parse::<Expression>().unwrap(), Default::default());
+    let precision = Precision::new(120);
+    let bound = formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap();
+    let transform = Arc::new(Enclosed::new(bound, precision));
+    let material = Material::new(number("1", 120), number("1e-6", 120)).unwrap();
+    let contact = Contact::half_space(&transform, &material, &Control::Indentation);
+    let energy = EnclosedEnergy::new(&contact, &profile).unwrap();
+    let found = energy.potential(&number("0.0386250", 120), &number("0.001", 120)).unwrap();
+    assert!((found.approx() - 1.27164829e-8).abs() < 1e-16, "{found}");
+}
+
+#[test]
+fn a_tip_with_a_slope_has_an_infinite_pressure() {
+    let Case { contact, profile, state } = case("0.3*r", "0.2", 100);
+    let fields = EnclosedFields::new(&contact, &profile, &state).unwrap();
+    let error = fields.pressure(&number("0", 100)).unwrap_err();
+    assert!(matches!(error, Error::Domain { .. }), "{error}");
+    assert!(fields.pressure(&number("1e-9", 100)).is_ok());
+}

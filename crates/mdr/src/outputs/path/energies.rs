@@ -1,0 +1,138 @@
+//! The energies of a path over enclosures, from what is stored in its states.
+//!
+//! An event at a fixed value of the control loses the difference of Π − Fd, of Π, or of Π + F²/2k before and after it; the work of
+//! the control is what is lost and what is stored.
+
+use mdr_core::contact::{Control, Result};
+use mdr_core::number::certify::Enclosure;
+use mdr_core::number::{Interval, Literal};
+use mdr_numeric::contact::Contact;
+use mdr_numeric::path::{ContactState, Event, EventKind, Path};
+use mdr_numeric::proof::{Continuation, EnclosedEnergy, Stored};
+use rug::Rational;
+
+use super::{Balance, Dissipation, PathEvent, PathNumbers, changes};
+use crate::answer::{Admission, Optional, Value};
+
+/// An energy that is exactly nothing where all that it is the sum of is.
+#[derive(Clone)]
+struct Sum(Option<Interval>);
+
+impl Sum {
+    fn of(stored: &Stored) -> Sum {
+        match stored {
+            Stored::Energy(energy) => Sum(Some(energy.clone())),
+            _ => Sum(None),
+        }
+    }
+
+    fn plus(self, other: &Sum) -> Sum {
+        Sum(match (self.0, &other.0) {
+            (Some(one), Some(other)) => Some(one + other),
+            (one, other) => one.or_else(|| other.clone()),
+        })
+    }
+
+    fn minus(self, other: &Sum) -> Sum {
+        self.plus(&Sum(other.0.clone().map(|energy| -energy)))
+    }
+
+    fn value(&self) -> Value<Enclosure> {
+        Value::Known(self.0.clone().map_or_else(|| Rational::new().into(), Enclosure::from))
+    }
+}
+
+/// The energy lost in each event, as records without other numbers, and the balance of a path along way points.
+///
+/// # Errors
+/// Errors of the transform and of the integrals; see [`EnclosedEnergy::stored`].
+pub(super) fn of_path(
+    path: &Path<Interval>,
+    way: &[Literal],
+    contact: &Contact<Interval>,
+    profile: &Continuation,
+) -> Result<PathNumbers<Enclosure>> {
+    let energy = EnclosedEnergy::new(contact, profile)?;
+    let finite: Vec<&Event<Interval>> =
+        path.events.iter().filter(|event| changes(event.kind) && !is_unbounded(event, contact)).collect();
+    let ends = [path.events.first(), path.events.last()].into_iter().flatten().map(|event| &event.after);
+    let states: Vec<&ContactState<Interval>> =
+        finite.iter().flat_map(|event| [&event.before, &event.after]).chain(ends).collect();
+    let mut stored = energy.stored(&states)?.into_iter();
+    let mut next = || stored.next().flatten().map(|stored| Sum::of(&stored));
+    let mut total = Some(Sum(None));
+    let mut events = Vec::new();
+    for event in &path.events {
+        let dissipated = if !changes(event.kind) {
+            None
+        } else if is_unbounded(event, contact) {
+            total = None;
+            Some(Dissipation::Unbounded)
+        } else {
+            let [before, after] = [next(), next()];
+            let lost = before.zip(after).map(|(before, after)| before.minus(&after).plus(&work_in(event, contact)));
+            total = total.zip(lost.clone()).map(|(total, lost)| total.plus(&lost));
+            lost.map(|lost| Dissipation::Finite(lost.value()))
+        };
+        events.push(lost_in(event.kind, dissipated));
+    }
+    let [first, last] = [next(), next()];
+    let balance = total.zip(first.zip(last)).map(|(dissipated, (first, last))| {
+        let stored = if returns(path, way) { Sum(None) } else { last.minus(&first) };
+        let work = dissipated.clone().plus(&stored);
+        let [work, dissipated, stored] = [work, dissipated, stored].map(|sum| sum.value());
+        Balance { work, dissipated, stored, jumps: Optional(None), hysteresis: Optional(None) }
+    });
+    let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
+    Ok(PathNumbers { events, balance: balance.filter(|_| !lost_track) })
+}
+
+/// Whether a dead load falls without end, or an infinite surface comes into contact.
+fn is_unbounded(event: &Event<Interval>, contact: &Contact<Interval>) -> bool {
+    let falls = event.fold.is_some() && *contact.control() == Control::Force;
+    event.kind == EventKind::CompleteContact || event.kind == EventKind::Detached && falls
+}
+
+/// F(d₂ − d₁) of a dead load between two contacts; where the surfaces are apart on one side it is 0.
+fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> Sum {
+    match (contact.control(), event.before.contact(), event.after.contact()) {
+        (Control::Force, Some(before), Some(after)) => {
+            Sum(Some((after.indentation.clone() - &before.indentation) * &event.value))
+        }
+        _ => Sum(None),
+    }
+}
+
+/// Whether the path ends in the state in which it starts, at a way point with the same number: the enclosures of two equilibria at
+/// one value are the same only if these are.
+fn returns(path: &Path<Interval>, way: &[Literal]) -> bool {
+    let closed = way.first().zip(way.last()).is_some_and(|(first, last)| first.compare(last).is_eq());
+    let [first, last] = [path.events.first(), path.events.last()].map(|event| event.map(|event| &event.after));
+    let same = match (first, last) {
+        (Some(ContactState::Contact(one)), Some(ContactState::Contact(other))) => {
+            let [one, other] = [one, other].map(|rest| &rest.contact_radius);
+            one.lower() == other.lower() && one.upper() == other.upper()
+        }
+        (Some(ContactState::Detached), Some(ContactState::Detached)) => true,
+        _ => false,
+    };
+    path.is_finished() && closed && same
+}
+
+/// An event with its energy alone.
+fn lost_in(kind: EventKind, dissipated: Option<Dissipation<Enclosure>>) -> PathEvent<Enclosure> {
+    PathEvent {
+        event: kind,
+        position: Optional(None),
+        indentation: None,
+        force: None,
+        contact_radius: None,
+        to_contact_radius: None,
+        to_indentation: None,
+        to_force: None,
+        admissible: Admission::Admissible,
+        dissipated,
+        hysteresis: Optional(None),
+        edge: None,
+    }
+}
