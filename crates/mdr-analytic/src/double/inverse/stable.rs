@@ -127,9 +127,9 @@ impl Stable<'_, '_> {
                 *v = constants.first::<A>(*x, branch);
             }
             let lanes = constants.solve::<A, FORCE, LEN>(arithmetic, &x, v);
-            for i in 0..values.len() {
-                let (at, exists) = (row * LEN + i, exists(counts[i]));
-                if counts[i].is_none() | (exists & !lanes.trusted[i]) {
+            for (i, count) in counts.iter().enumerate().take(values.len()) {
+                let (at, exists) = (row * LEN + i, exists(*count));
+                if count.is_none() | (exists & !lanes.trusted[i]) {
                     self.rows.pass_on(at);
                 } else if exists {
                     self.rows.set(at, [lanes.radius[i], lanes.other[i]], Status::Ok);
