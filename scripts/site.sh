@@ -35,7 +35,7 @@ cd ..
 # One page: the style, the engine (gzipped, in base64) and the scripts stand where the page has their marks.
 parts=target/web/parts
 page=target/book/explorer.html
-scripts="engine scene parameters model plot pictures hysteresis body own page"
+scripts="engine scene parameters model plot pictures hysteresis body own tasks page"
 mkdir -p $parts target/book
 for sheet in page figures; do
     echo "<style id=\"$sheet\">"
@@ -53,4 +53,6 @@ done >$parts/style
 } >$parts/script
 sed -e "/^<!-- style -->$/{r $parts/style" -e 'd;}' -e "/^<!-- script -->$/{r $parts/script" -e 'd;}' \
     web/explorer/index.html >$page
+# The pages of the book lead to it, whichever of both was made first.
+echo 'window.EXPLORER=true;' >target/book/explorer-here.js
 echo "$page: $(wc -c <$page) bytes, $(gzip -9 -c $page | wc -c) compressed"

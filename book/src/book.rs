@@ -12,14 +12,16 @@ use mdr_symbolic::formula::Definition;
 use crate::bibliography::Bibliography;
 use crate::chapters::{CHAPTERS, Chapter, order};
 use crate::conformance::{self, Row};
-use crate::entry::{badges, title};
+use crate::entry::{badges, standing, title};
 use crate::error::{Error, Result};
 use crate::figures::Figures;
 use crate::fits;
 use crate::links::{DOCUMENTS, Links, Shelf, heading, is_equation, is_picture, published};
 use crate::markdown::{self, Math, Page, escaped};
 use crate::moving;
+use crate::references::cards;
 use crate::shell::{Contents, Sheet, raw};
+use crate::spine::{self, SPINE};
 use crate::tex::Tex;
 use crate::text::{Text, read};
 use crate::values;
@@ -34,6 +36,9 @@ pub(crate) struct Book<'a> {
     /// BookFiles of the project to which some page leads.
     wanted: BTreeSet<String>,
 }
+
+/// The script that says whether the explorer stands beside the book.
+const HERE: &str = "explorer-here.js";
 
 /// The files of the book by name.
 pub type BookFiles = BTreeMap<String, Vec<u8>>;
@@ -52,13 +57,16 @@ pub fn build(root: &Path, explorer: bool) -> Result<BookFiles> {
         wanted: BTreeSet::new(),
     };
     let sheets = book.sheets()?;
-    let contents = contents(&sheets, explorer);
+    let contents = contents(&sheets);
     let mut files = assets(root)?;
     for (i, sheet) in sheets.iter().enumerate() {
         let around = [i.checked_sub(1).and_then(|before| sheets.get(before)), sheets.get(i + 1)];
         files.insert(format!("{}.html", sheet.name), contents.page(sheet, around).into_bytes());
     }
     files.insert("search.js".to_owned(), index(&sheets).into_bytes());
+    files.insert("cards.js".to_owned(), cards(root, &book.tex)?.into_bytes());
+    // Written again by what builds the explorer, whichever of both comes first.
+    files.insert(HERE.to_owned(), format!("window.EXPLORER={explorer};\n").into_bytes());
     book.sources(&contents, &mut files)?;
     Ok(files)
 }
@@ -93,9 +101,9 @@ impl Book<'_> {
     fn sheets(&mut self) -> Result<Vec<Sheet>> {
         let judgements = judge_all();
         let mut sheets = vec![self.written("index", &judgements)?];
-        sheets.push(self.written("notation", &judgements)?);
-        sheets.push(self.written("verdicts", &judgements)?);
-        sheets.extend(self.documents(Shelf::Front)?);
+        for name in SPINE {
+            sheets.push(self.spine(name)?);
+        }
         for chapter in &CHAPTERS {
             sheets.push(self.chapter(chapter, &judgements)?);
             for entry in chapter.entries() {
@@ -104,6 +112,9 @@ impl Book<'_> {
                 sheets.push(self.entry_sheet(judgement)?);
             }
         }
+        sheets.extend(self.documents(Shelf::Front)?);
+        sheets.push(self.written("notation", &judgements)?);
+        sheets.push(self.written("verdicts", &judgements)?);
         sheets.push(self.written("contents", &judgements)?);
         sheets.push(plain("values", "Certified values", values::index()));
         for (family, title) in values::FAMILIES {
@@ -119,12 +130,25 @@ impl Book<'_> {
         Ok(sheets)
     }
 
+    /// A page of the spine: its text, with the figure where the text has a line of its own for it.
+    fn spine(&mut self, name: &str) -> Result<Sheet> {
+        let file = format!("book/text/spine-{name}.md");
+        let page = self.markdown(&file, &read(self.root, &file)?, Math::Dollars)?;
+        let figure = spine::figure(name)?.into_string();
+        if !page.html.contains(FIGURE) {
+            return Err(Error::page(file, "there is no line for the figure"));
+        }
+        let html = page.html.replace(FIGURE, &figure);
+        let main = html! { h1 { (page.title) } div.spine { (raw(html)) } };
+        Ok(Sheet { name: name.to_owned(), title: page.title, main, words: page.words, entry: None })
+    }
+
     fn entry_sheet(&mut self, judgement: &Judgement) -> Result<Sheet> {
         let main = self.entry(judgement)?;
         let entry = judgement.entry;
         let words: Vec<_> = entry.steps.iter().map(|step| step.why).collect();
         let why = Text::read(self.root, entry.id)?.why;
-        let verdict = entry.verdict().word().to_owned();
+        let verdict = if entry.refuted { entry.verdict() } else { standing(entry) }.word().to_owned();
         Ok(Sheet {
             name: entry.id.to_owned(),
             title: title(judgement),
@@ -170,18 +194,39 @@ impl Book<'_> {
             if of != shelf || !self.root.join(file).is_file() {
                 continue;
             }
-            let page = self.markdown(file, &read(self.root, file)?, Math::Fences)?;
+            let text = read(self.root, file)?;
+            let page = self.markdown(file, &for_readers(name, &text), Math::Fences)?;
             let extra = match name {
                 "conformance" => {
                     html! { p { input type="search" data-filter="document" placeholder="Filter: 1.15, kappa, certified …" aria-label="Filter the tables"; } }
                 }
-                "errata" => citation(),
+                "errata" => html! { (self.errata()?) (citation()) },
+                "validity" => validity(),
                 _ => html! {},
             };
             let main = html! { h1 { (page.title) } (extra) div #document { (raw(page.html)) } };
             sheets.push(Sheet { name: name.to_owned(), title: page.title, main, words: page.words, entry: None });
         }
         Ok(sheets)
+    }
+
+    /// The corrections at a glance.
+    fn errata(&self) -> Result<Markup> {
+        let mut rows = Vec::new();
+        for entry in order() {
+            if let Some(erratum) = entry.erratum {
+                rows.push((entry, self.prose(erratum.text)?));
+            }
+        }
+        Ok(html! {
+            div.table tabindex="0" role="group" aria-label="Errata" { table.errata {
+                thead { tr { th { "where" } th { "what" } th { "the correction" } } }
+                tbody { @for (entry, text) in rows { tr {
+                    td { a href={ (entry.id) ".html" } { @if is_equation(entry) { "(" (entry.id) ")" } @else { (entry.id) } } }
+                    td { (entry.title) } td { (raw(text)) }
+                } } }
+            } }
+        })
     }
 
     /// A page whose text is in `book/text`, with the additions of the build.
@@ -263,6 +308,49 @@ fn plain(name: &str, title: &str, main: Markup) -> Sheet {
     }
 }
 
+/// The line of a text of the spine at which its figure stands.
+const FIGURE: &str = "<p>FIGURE</p>";
+
+/// A document without what is for those who write it.
+fn for_readers(name: &str, text: &str) -> String {
+    let own = |line: &&str| !(name == "errata" && line.contains("This page is written by"));
+    text.lines().filter(own).map(|line| format!("{line}\n")).collect()
+}
+
+/// Before its formulas, the limits of the theory by hand: Tabor's number, and what to check.
+fn validity() -> Markup {
+    let step = |x: f64| 10f64.powf(x);
+    html! {
+        figure.tabor data-low=(step(-2.0)) data-high=(step(2.0)) {
+            svg viewBox="0 0 640 96" role="img" aria-label="Tabor's number on a logarithmic axis from 0.01 to 100: below 0.1 DMT, above 5 JKR, between them neither" {
+                rect.dmt x="20" y="30" width="150" height="26" {}
+                rect.between x="170" y="30" width="255" height="26" {}
+                rect.jkr x="425" y="30" width="195" height="26" {}
+                text x="95" y="48" text-anchor="middle" { "DMT" }
+                text x="297" y="48" text-anchor="middle" { "transition" }
+                text x="522" y="48" text-anchor="middle" { "JKR: this theory" }
+                @for (x, label) in [(20, "0.01"), (170, "0.1"), (320, "1"), (425, "5"), (470, "10"), (620, "100")] {
+                    text x=(x) y="76" text-anchor="middle" { (label) }
+                }
+                path.here d="M320 22l-7 -12h14z" {}
+            }
+            p.controls {
+                label for="tabor" { "Tabor’s number μ" }
+                input #tabor type="range" min="-2" max="2" step="0.01" value="0" hidden;
+                output for="tabor" {}
+            }
+            figcaption { "μ compares how far the edge of the contact opens with the range of the adhesion. For a ball, μ = (" i { "Rw" } "²/(" i { "E" } "*²" i { "z" } "₀³))" sup { "1/3" } "." }
+        }
+        ul.checklist {
+            li { "The adhesion is of short range against the opening of the edge: μ above 5." }
+            li { "The contact is small against the bodies, and their slopes in it are small." }
+            li { "The bodies are elastic: no creep, no yield, no layer that is thin against the contact." }
+            li { "The contact is one disc: no roughness that keeps the surfaces apart." }
+            li { "No friction, or a normal force alone on bodies that are alike." }
+        }
+    }
+}
+
 /// How to cite the errata.
 fn citation() -> Markup {
     html! { p.cite { "To cite: the mdr developers, " i { "Errata of V. L. Popov, Surface profiles with zero and finite adhesion force and adhesion instabilities" }
@@ -301,17 +389,17 @@ fn overview(judgements: &[Judgement]) -> Markup {
     }
 }
 
-fn contents(sheets: &[Sheet], explorer: bool) -> Contents {
+fn contents(sheets: &[Sheet]) -> Contents {
     let find = |name: &str| {
         sheets.iter().find(|sheet| sheet.name == name).map(|sheet| (sheet.name.clone(), sheet.title.clone()))
     };
     let shelf =
         |shelf: Shelf| DOCUMENTS.iter().filter(move |(_, _, of)| *of == shelf).filter_map(|(_, name, _)| find(name));
     Contents {
+        spine: ["index"].into_iter().chain(SPINE).filter_map(find).collect(),
         front: shelf(Shelf::Front).chain(["notation", "verdicts", "contents"].into_iter().filter_map(find)).collect(),
         numbers: find("values").into_iter().chain(shelf(Shelf::Numbers)).collect(),
         program: shelf(Shelf::Program).chain(["bibliography", "cite"].into_iter().filter_map(find)).collect(),
-        explorer,
         version: env!("CARGO_PKG_VERSION"),
     }
 }
@@ -337,7 +425,7 @@ fn index(sheets: &[Sheet]) -> String {
 /// Style sheet, scripts and fonts.
 fn assets(root: &Path) -> Result<BookFiles> {
     let mut files = BookFiles::new();
-    for folder in ["", "fonts/"] {
+    for folder in ["", "fonts/", "live/"] {
         let directory = root.join("book/assets").join(folder);
         let io = |source| Error::Io { file: directory.display().to_string(), source };
         for file in std::fs::read_dir(&directory).map_err(io)? {

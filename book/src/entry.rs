@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 use mdr_crosscheck::derivations::{Judgement, MutantVerdict, StepJudgement};
-use mdr_symbolic::derivations::{Theorem, Verdict};
+use mdr_symbolic::derivations::{Entry, Theorem, Verdict};
 use mdr_symbolic::{Decision, Domain, Formula, Statement};
 
 use crate::book::Book;
@@ -10,6 +10,7 @@ use crate::conformance::Row;
 use crate::error::{Error, Result};
 use crate::links::{heading, is_equation};
 use crate::markdown::{Math, escaped};
+use crate::spine;
 use crate::text::Text;
 use crate::values;
 
@@ -32,14 +33,27 @@ pub(crate) fn badge(verdict: &str) -> Markup {
     html! { span.badge.(verdict) { (verdict) } }
 }
 
+/// How an entry stands, as corrected if the printed form is refuted: by its weakest step, and as a theorem where Coq's kernel has
+/// checked one and no step is weaker than a proof.
+pub(crate) fn standing(entry: &Entry) -> Verdict {
+    let weakest = entry.weakest();
+    let theorem = entry.theorems().next().is_some() && weakest <= Verdict::Enclosed;
+    if theorem || (weakest == Verdict::Definition && entry.theorems().next().is_some()) {
+        Verdict::Theorem
+    } else {
+        weakest
+    }
+}
+
 /// The badges of an entry: one with a correction is refuted as printed, and proved as corrected.
 pub(crate) fn badges(judgement: &Judgement) -> Markup {
     let entry = judgement.entry;
+    let standing = standing(entry);
+    let word = standing.word();
     html! {
-        @if entry.refuted { span.badge.refuted { "refuted as printed" } }
-        @if entry.refuted && entry.theorems().next().is_some() { span.badge.theorem { "theorem as corrected" } }
-        @else if entry.refuted { span.badge.proved { "proved as corrected" } }
-        @else { (badge(entry.verdict().word())) }
+        @if entry.refuted { span.badge.refuted { "refuted as printed" } span.badge.(word) { (word) " as corrected" } }
+        @else { (badge(word)) }
+        @if standing != Verdict::Theorem && entry.theorems().next().is_some() { span.badge.theorem { "theorem in part" } }
         @if entry.erratum.is_some() && !entry.refuted { span.badge.note { "erratum" } }
     }
 }
@@ -85,6 +99,7 @@ impl Book<'_> {
         let numbers = values::of_entry(entry, &text.numbers)?;
         let references = entry.references.iter().map(|text| self.reference(text)).collect::<Result<Vec<_>>>()?;
         let figures = self.figures.of(entry.id);
+        let live = spine::of_entry(entry.id)?;
         let theorems: Vec<_> = entry.theorems().collect();
         let proofs = self.theorems(&theorems)?;
         Ok(html! {
@@ -97,6 +112,7 @@ impl Book<'_> {
                 aside.erratum { p { b { "Erratum. " } (PreEscaped(erratum)) " " a href="errata.html" { "All errata" } } }
             }
             section #why { h2 { "Why" (permalink("why", "the argument")) } (PreEscaped(why.html)) }
+            @if let Some(figure) = live { (figure) }
             @for figure in figures { (figure) }
             section #proof {
                 h2 { "The proof, step by step" (permalink("proof", "the proof")) }

@@ -5,6 +5,7 @@ use mdr_symbolic::derivations::Entry;
 
 use crate::chapters::{CHAPTERS, Chapter};
 use crate::links::is_equation;
+use crate::references::linked;
 
 /// A page of the book before it has its surroundings.
 pub(crate) struct Sheet {
@@ -23,11 +24,10 @@ type Link = (String, String);
 
 /// The contents, the same on every page.
 pub(crate) struct Contents {
+    pub(crate) spine: Vec<Link>,
     pub(crate) front: Vec<Link>,
     pub(crate) numbers: Vec<Link>,
     pub(crate) program: Vec<Link>,
-    /// Whether the explorer has been built beside the book.
-    pub(crate) explorer: bool,
     /// The version of the program.
     pub(crate) version: &'static str,
 }
@@ -64,9 +64,9 @@ impl Contents {
                         button #theme type="button" hidden aria-label="Light, dark or as the system" { "◐" }
                     }
                     ol #results hidden {}
-                    @if self.explorer { a.explorer href="explorer.html" { "Explorer: move a contact" } }
-                    (self.list("Start", &self.front, here))
+                    (self.list("Start", &self.spine, here))
                     h2 { "The theory" } ol { @for (i, chapter) in CHAPTERS.iter().enumerate() { (self.chapter(i + 1, chapter, here)) } }
+                    (self.list("Reference", &self.front, here))
                     (self.list("The numbers", &self.numbers, here))
                     (self.list("The program", &self.program, here))
                 }
@@ -89,7 +89,7 @@ impl Contents {
             body {
                 a.skip href="#main" { "Skip to the text" }
                 (self.nav(&sheet.name))
-                main #main data-entry=[entry] data-verdict=[verdict] {
+                main #main data-entry=[entry] data-verdict=[verdict] data-version=(self.version) {
                     (sheet.main)
                     footer.pager {
                         @if let Some(before) = around[0] { a rel="prev" href={ (before.name) ".html" } { "← " (before.title) } }
@@ -97,10 +97,11 @@ impl Contents {
                     }
                     p.colophon { "mdr " (self.version) ". " a href="cite.html" { "How to cite" } ", with the address of this page: " code { (sheet.name) ".html" } }
                 }
+                script src="explorer-here.js" {}
                 script src="book.js" {}
             }
         } };
-        page.into_string()
+        linked(&page.into_string(), &sheet.name)
     }
 }
 

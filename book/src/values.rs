@@ -84,7 +84,7 @@ fn value(record: &Record) -> Markup {
     let unit = if record.unit == "1" { String::new() } else { record.unit.replace("^2", "²") };
     html! {
         @match &record.value {
-            Some(value) => { span.digits { (minus(&value.mid)) } @if !unit.is_empty() { " " (unit) } @if record.status != Status::Ok { " (" (record.status) ")" } }
+            Some(value) => { span.digits { (minus(&value.mid)) } @if !unit.is_empty() { "\u{a0}" span.unit { (unit) } } @if record.status != Status::Ok { " (" (record.status) ")" } }
             None => { (record.status) }
         }
     }
@@ -174,16 +174,24 @@ pub(crate) fn family_page(name: &str) -> Markup {
     }
 }
 
-/// Values with their doubles, conditions and difficulties.
+/// Values, and in one fold their doubles, conditions and difficulties.
 pub(crate) fn table(found: &[&Record]) -> Markup {
     html! {
         div.table tabindex="0" role="group" aria-label="Values" { table.values {
-            thead { tr { th { "quantity" } th { "value" } th { "f64" } th { "condition" } th { "difficulty" } } }
-            tbody { @for record in found { tr id=(record.id) {
+            thead { tr { th { "quantity" } th { "value" } } }
+            tbody { @for record in found { tr id=(record.id) data-release=(record.release) {
                 td { (quantity(record)) } td { (value(record)) }
-                td { @if let Some(double) = record.hexadecimal() { code { (double) } } }
-                td { (format!("{:.3}", record.total_condition())) } td { (record.difficulty.name()) }
             } } }
         } }
+        details.more { summary { "f64, condition and difficulty" }
+            div.table tabindex="0" role="group" aria-label="Doubles and conditions" { table.values {
+                thead { tr { th { "quantity" } th { "f64" } th { "condition" } th { "difficulty" } } }
+                tbody { @for record in found { tr {
+                    td { (quantity(record)) }
+                    td { @if let Some(double) = record.hexadecimal() { code { (double) } } }
+                    td { (format!("{:.3}", record.total_condition())) } td { (record.difficulty.name()) }
+                } } }
+            } }
+        }
     }
 }

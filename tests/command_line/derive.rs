@@ -30,6 +30,16 @@ fn one_entry_shows_its_steps() {
     assert_eq!(output("derive (1.15)"), text);
 }
 
+/// A word that is no id lists the entries that speak of it, a single one in full.
+#[test]
+fn a_word_is_searched_for() {
+    let text = output("derive Kendall");
+    assert!(text.contains("kendall") && !text.contains("kappa-elliptic"), "{text}");
+    assert_eq!(output("derive KENDALL"), text);
+    let coq = output("derive machine --format coq");
+    assert!(coq.contains("machine") && coq.len() < output("derive --format coq").len());
+}
+
 /// Every mutant has its fate told, what is meaningless is named, and none is undecided.
 #[test]
 fn mutants_are_counted_as_what_they_are() {

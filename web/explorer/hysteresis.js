@@ -1,5 +1,13 @@
 // Force over depth with the path so far and the energy lost; or the folding curve, the held quantity over the contact radius.
 
+/** The curve that has been pinned: points [d, F, a] with the value that was controlled. */
+let pinned = [];
+function pin() {
+  const whole = equilibriumCurve.map((r) => [r[3], r[4], r[0]]);
+  pinned = pinned.length ? [] : whole.map((q) => [q, controlled(q[0], q[1])]);
+  set($('pin'), { 'aria-pressed': pinned.length > 0 });
+  request();
+}
 const folding = () => P.graph === 'fold';
 /** A point [d, F, a] in the plane that is shown. */
 const inPlane = (q) => (folding() ? [q[2], controlled(q[0], q[1])] : q);
@@ -43,7 +51,7 @@ function present(state) {
 /** The curve of equilibria, stable and unstable, when it or the window has changed. */
 function drawBranches() {
   const p = force;
-  const key = [version, p.w, p.h, ...p.now, P.graph, P.axis].join();
+  const key = [version, p.w, p.h, ...p.now, P.graph, P.axis, P.ghost, pinned.length].join();
   if (key === p.branchesKey) return;
   p.branchesKey = key;
   const parts = [[], []];
@@ -54,6 +62,10 @@ function drawBranches() {
     if (!before || before[5] !== row[5]) part.push([NaN, NaN], ...(before ? [point(before)] : []));
     part.push(point(row));
   });
+  // Without adhesion the contact ends where g = d, and its springs bear what those of the edge would have been pulled by.
+  const bare = ([a, g, elongation, , F]) => [g, F + 2 * a * elongation, a];
+  set(p.ghost, { d: P.ghost === 'on' ? p.path(equilibriumCurve.map((row) => inPlane(bare(row)))) : '' });
+  set(p.pinned, { d: p.path(pinned.map(([q, held]) => (folding() ? [q[2], held] : q))) });
   set(p.stable, { d: p.path(parts[1]) });
   set(p.unstable, { d: p.path(parts[0]) });
 }

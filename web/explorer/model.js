@@ -352,7 +352,7 @@ function preset(index) {
   note = '';
   const kept = PRESETS.some(([, { unit }]) => unit === P.unit) ? {} : { unit: P.unit };
   const graph = P.graph;
-  P = { ...DEFAULTS, ...kept, uR: P.uR, uE: P.uE, uw: P.uw, view: P.view, ...parameters };
+  P = { ...DEFAULTS, ...kept, uR: P.uR, uE: P.uE, uw: P.uw, view: P.view, ghost: P.ghost, ...parameters };
   if (P.graph !== graph) turn(P.graph);
   if (!rebuild()) return request();
   value = v;
@@ -364,7 +364,7 @@ function preset(index) {
   sync();
   request();
 }
-const markPreset = (index = -1) => [...$('presets').children].forEach((b, i) => set(b, { 'aria-pressed': i === index }));
+const markPreset = (index = -1) => [...$('presets').querySelectorAll('[data-preset]')].forEach((b, i) => set(b, { 'aria-pressed': i === index }));
 function startAgain() {
   remember('again');
   stop();
@@ -388,7 +388,10 @@ function address() {
   const parts = Object.keys(DEFAULTS)
     .filter((k) => !skipped(k))
     .map((k) => `${k}=${written(k)}`);
-  if (document.body.dataset.only) parts.push(`only=${document.body.dataset.only}`);
+  const { only, mode } = document.body.dataset;
+  if (only) parts.push(`only=${only}`);
+  if (mode) parts.push(mode);
+  parts.push(...taskAddress());
   parts.push(`v=${+value.toPrecision(5)}`, `a=${S.kind === 1 ? +S.a.toPrecision(5) : S.kind === 2 ? 'all' : 0}`);
   return '#' + parts.join('&');
 }
@@ -398,10 +401,12 @@ function restore(hash) {
   const query = new URLSearchParams(hash.slice(1));
   const only = query.get('only');
   if (ONLY.includes(only)) document.body.dataset.only = only;
+  lecture(query.has('lecture'));
   stop();
   finish();
   probe = null;
   note = '';
+  if (restoreTask(query)) return undefined;
   if (!query.has('v')) return preset(0);
   P = { ...DEFAULTS };
   for (const [key, text] of query) {

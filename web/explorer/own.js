@@ -175,24 +175,24 @@ function parametersInWords() {
   const units = P.unit === 'none' ? 'reduced units, E* = 1, w = 1/2π' : `E* = ${system().modulus} Pa, w = ${system().work} J/m²`;
   return [kind, ...shown, `${CONTROLS[P.control][2]} = ${show(value, heldKind())}`, units].join(', ');
 }
-/** The pictures as one SVG with the colours that are shown. */
-function picture() {
+/** Pictures as one SVG with the colours that are shown; all four in two columns. */
+function picture(parts = PARTS) {
   const style = getComputedStyle(document.documentElement);
   const colours = ['bg', 'panel', 'ink', 'muted', 'line', 'grid', 'adh', 'ela', 'loss', 'body', 'body-edge', 'half', 'half-edge'];
   const variables = colours.map((name) => `--${name}:${style.getPropertyValue('--' + name).trim()}`).join(';');
   const rules = [...$('figures').sheet.cssRules].map((rule) => rule.cssText);
-  const shapes = PARTS.map((id) => $(id)).map((svg) => [svg, svg.getBoundingClientRect()]);
-  const left = Math.max(shapes[0][1].width, shapes[1][1].width);
-  const right = Math.max(shapes[2][1].width, shapes[3][1].width);
-  const heights = shapes.map(([, box]) => box.height);
+  const shapes = parts.map((id) => $(id)).map((svg) => [svg, svg.getBoundingClientRect()]);
+  const column = ([one, two]) => Math.max(...[one, two].map((shape) => (shape ? shape[1].width : 0)));
+  const [left, right] = [column(shapes), column(shapes.slice(2))];
+  const heights = [0, 1, 2, 3].map((i) => (shapes[i] ? shapes[i][1].height : -16));
   const at = [
     [0, 0],
     [0, heights[0] + 16],
     [left + 16, 0],
     [left + 16, heights[2] + 16],
   ];
-  const size = [left + right + 16, Math.max(heights[0] + heights[1], heights[2] + heights[3]) + 16];
-  const parts = shapes.map(([svg, box], i) => {
+  const size = [left + (right && right + 16), Math.max(heights[0] + heights[1], heights[2] + heights[3]) + 16];
+  const drawn = shapes.map(([svg, box], i) => {
     const copy = svg.cloneNode(true);
     for (const name of ['role', 'aria-labelledby', 'id']) copy.removeAttribute(name);
     copy.querySelectorAll('.hit, .probe, [display="none"]').forEach((node) => node.remove());
@@ -206,7 +206,7 @@ function picture() {
 <metadata>${escaped(JSON.stringify({ address: address(), scene: sceneFile(), ...(P.shape === 'table' ? { table: tableFile(system()) } : {}) }))}</metadata>
 <style>svg{${variables}} ${rules.join(' ').replaceAll('<', '&lt;')}</style>
 <rect x="-16" y="-16" width="100%" height="100%" style="fill:var(--panel)"/>
-${parts.join('\n')}
+${drawn.join('\n')}
 <text x="0" y="${size[1] + 22}">${escaped(parametersInWords())}</text>
 </svg>
 `;

@@ -51,10 +51,11 @@ function readout() {
     ['contact radius a', S.kind === 1 ? len(S.a) : known ? '0' : '∞'],
     ['depth d', known ? show(S.d, 'd') : '—'],
     ['force F', known ? show(S.F, 'F') : '—'],
+    ...(folds.length === 1 && folds[0].F ? [['force over that at P', known ? minus((S.F / folds[0].F).toFixed(3)) : '—']] : []),
     ['energy lost', unbounded ? '∞' : show(lostTotal, 'E', 4)],
     ['folds', String(folds.length)],
   ];
-  if (P.control === 'D') table.splice(3, 0, ['stiffness k', show(P.k, 'k')]);
+  if (P.control === 'D') table.splice(2, 0, ['stiffness k', show(P.k, 'k')]);
   $('readout').innerHTML = table.map(([k, v]) => `<tr><th scope="row">${k}</th><td>${v}</td></tr>`).join('');
   const text = show(value, heldKind());
   $('value-out').textContent = text;
@@ -252,6 +253,7 @@ function sync() {
     set($(`s-${key}`), { 'aria-valuetext': $(`o-${key}`).textContent });
   }
   ['control', 'shape', 'view', 'graph'].forEach((id) => $(id).sync());
+  set($('ghost'), { 'aria-pressed': P.ghost === 'on' });
   $('axis').value = P.axis;
   $('unit').value = P.unit;
   $('own-units').hidden = P.unit !== 'own';
@@ -279,6 +281,17 @@ function readQuantity(key, text) {
   const [low, high] = OWN[key];
   const x = power < 0 ? number / 10 ** -power : number * 10 ** power;
   return [x, x >= low && x <= high ? '' : `${symbol} is between ${low} and ${high} ${unit} here, got ${x}.`];
+}
+
+/** Three pictures and one slider, larger, for a room; and back. */
+function lecture(on = document.body.dataset.mode !== 'lecture') {
+  if (on) document.body.dataset.mode = 'lecture';
+  else delete document.body.dataset.mode;
+  set($('lecture'), { 'aria-pressed': on });
+  for (const plot of [balance, energy, body, force]) plot.resize();
+  redraw.curve = true;
+  saveSoon();
+  request();
 }
 
 // ---------------------------------------------------------------- by hand
@@ -311,19 +324,20 @@ function pointers() {
     remember('drag');
     move(to);
   };
-  const vertical = (plot) => (e, m) => pull(m.value + (e.clientY - m.y) * (P.control === 'd' ? plot.perY() : share()));
-  const grip = (e) => ({ x: e.clientX, y: e.clientY, value });
+  const vertical = (plot) => (e, m) => pull(m.value + (at(e).y - m.y) * (P.control === 'd' ? plot.perY() : share()));
+  const at = (e) => ({ x: e.clientX / magnification(), y: e.clientY / magnification() });
+  const grip = (e) => ({ ...at(e), value });
   drag(balance.hit, grip, vertical(balance));
   drag(body.solid, grip, vertical(body));
   drag(force.hit, grip, (e, m) => {
-    const up = -(e.clientY - m.y) * force.perY();
+    const up = -(at(e).y - m.y) * force.perY();
     if (P.graph === 'fold') return pull(m.value + up);
-    const across = ((e.clientX - m.x) * (force.now[1] - force.now[0])) / (force.box[2] - force.box[0]);
+    const across = ((at(e).x - m.x) * (force.now[1] - force.now[0])) / (force.box[2] - force.box[0]);
     pull(m.value + controlled(across, up));
   });
   const hold = (e) => {
     if (S.kind !== 1) return;
-    probe = Math.min(reach, balance.radius(e.clientX - balance.svg.getBoundingClientRect().left));
+    probe = Math.min(reach, balance.radius((e.clientX - balance.svg.getBoundingClientRect().left) / magnification()));
     request();
   };
   drag(balance.handle, () => ({}), hold, release);
@@ -379,12 +393,14 @@ function page() {
     const button = document.createElement('button');
     const open = () => {
       turnPage();
+      closeTasks();
       preset(i);
     };
     Object.assign(button, { type: 'button', textContent: name, onclick: open });
     button.dataset.preset = i;
     $('presets').appendChild(button);
   });
+  tasks();
   segment(
     'control',
     Object.entries(CONTROLS).map(([k, [t]]) => [k, t]),
@@ -487,12 +503,22 @@ function page() {
   };
   $('reset').onclick = startAgain;
   $('undo').onclick = undo;
+  $('pin').onclick = pin;
+  $('ghost').onclick = () => {
+    P.ghost = P.ghost === 'on' ? 'off' : 'on';
+    sync();
+  };
   addEventListener('keydown', (e) => {
     const writes = /^(textarea|select)$/i.test(e.target.tagName) || e.target.inputMode === 'decimal';
     if (writes || e.key !== 'z' || !(e.ctrlKey || e.metaKey) || e.shiftKey) return;
     e.preventDefault();
     undo();
   });
+  addEventListener('keydown', (e) => {
+    const plain = !e.ctrlKey && !e.metaKey && !e.altKey && !/^(textarea|select)$/i.test(e.target.tagName);
+    if (plain && e.target.inputMode !== 'decimal' && (e.key === 'l' || e.key === 'L')) lecture();
+  });
+  $('lecture').onclick = () => lecture();
   document.addEventListener('visibilitychange', () => document.hidden && stop());
   $('theme').onclick = () => {
     const root = document.documentElement;

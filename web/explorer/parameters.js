@@ -18,6 +18,7 @@ const DEFAULTS = {
   uw: 0.05,
   view: 'body',
   graph: 'force',
+  ghost: 'off',
 };
 const PRESETS = [
   [
@@ -166,6 +167,7 @@ const CHOICES = {
   unit: Object.keys(UNITS),
   view: ['body', 'scale', 'springs'],
   graph: ['force', 'fold'],
+  ghost: ['off', 'on'],
 };
 /** E*, w and R of one's own, SI: what is allowed. */
 const OWN = { uR: [1e-10, 1e4], uE: [1e-2, 1e13], uw: [1e-9, 1e4] };

@@ -47,6 +47,8 @@ function pictures() {
   ];
   body = new Plot('body', [4, 4, 4, 4], [...solids, ['name', 'text', 'math t-ink halo', true]]);
   const plane = [
+    ['ghost', 'path', 'ghost'],
+    ['pinned', 'path', 'pinned'],
     ['areas', 'g', ''],
     ['stable', 'path', 'stable'],
     ['unstable', 'path', 'unstable'],

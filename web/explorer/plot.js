@@ -14,6 +14,8 @@ function set(node, attributes) {
   for (const key in attributes) if (had[key] !== attributes[key]) node.setAttribute(key, (had[key] = attributes[key]));
   return node;
 }
+/** In a lecture, letters, lines and marks of the pictures are larger: so many pixels of the screen are one of theirs. */
+const magnification = () => (document.body.dataset.mode === 'lecture' ? 1.4 : 1);
 /** The logarithmic axis of radii shows so many times the smallest one. */
 const DECADES = 3000;
 
@@ -38,7 +40,8 @@ class Plot {
     this.resize();
   }
   resize() {
-    const { width, height } = this.svg.getBoundingClientRect();
+    const box = this.svg.getBoundingClientRect();
+    const [width, height] = [box.width, box.height].map((side) => side / magnification());
     const [t, r, b, l] = this.margin;
     Object.assign(this, { w: width, h: height, box: [l, t, width - r, height - b] });
     this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);

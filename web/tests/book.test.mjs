@@ -12,11 +12,13 @@ before(async () => (browser = await launch()));
 after(() => browser.close());
 
 /** One page of each kind: an equation, a chapter, a page of numbers, and what is a page of its own. */
-const pages = ['index', '1.15', 'half', 'values-kappa', 'fit-hyper1', 'errata', 'figures', 'fit', 'notation', 'contents', 'bibliography'];
+const pages = ['index', 'ball', 'controlled', 'validity', 'theory', 'wavy', '1.15', 'half', 'values-landing', 'fit-hyper1', 'errata', 'figures', 'fit', 'notation', 'contents', 'bibliography'];
 
-async function open(name, options) {
+async function open(name, { alone, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1200, height: 900 }, ...options });
   Object.assign(page, { problems: [] });
+  const without = { body: 'window.EXPLORER=false;', contentType: 'text/javascript' };
+  if (alone) await page.route('**/explorer-here.js', (route) => route.fulfill(without));
   page.on('pageerror', (e) => page.problems.push(e.message));
   await page.goto(new URL(`${name}.html`, folder).href);
   return page;
@@ -25,9 +27,12 @@ async function open(name, options) {
 test('axe finds nothing, light and dark', { skip }, async () => {
   for (const colorScheme of ['light', 'dark'])
     for (const name of pages) {
-      const page = await open(name, { colorScheme });
+      // The explorer has a test of its own.
+      const page = await open(name, { colorScheme, alone: true });
       await page.evaluate(axe);
-      const { violations } = await page.evaluate(() => globalThis.axe.run(document));
+      // The theme changes colours alone.
+      const rules = colorScheme === 'light' ? { rules: { 'target-size': { enabled: true } } } : { runOnly: ['color-contrast'] };
+      const { violations } = await page.evaluate((rules) => globalThis.axe.run(document, rules), rules);
       assert.deepEqual(
         violations.map((v) => `${name}: ${v.id}: ${v.nodes.map((n) => n.target.join(' ')).slice(0, 3)}`),
         [],
@@ -58,4 +63,97 @@ test('the picture of the first page goes where it is moved, and plays', { skip }
   await page.getByRole('button', { name: 'Pause' }).click();
   assert.deepEqual(page.problems, []);
   await page.close();
+});
+
+test('no letter of a formula is smaller than 9 pixels', { skip }, async () => {
+  for (const name of ['1.15', '1.19', 'wavy', 'notation', 'theory', 'conformance', 'kappa-series', 'errata']) {
+    const page = await open(name);
+    const small = await page.$$eval('math :is(mi, mn, mo, mtext)', (all) =>
+      all.filter((e) => e.textContent.trim() && parseFloat(getComputedStyle(e).fontSize) < 9).map((e) => e.closest('math').textContent),
+    );
+    assert.deepEqual(small.slice(0, 3), [], `${name}: ${small.length}`);
+    await page.close();
+  }
+});
+
+test('a value is whole: in groups, with twelve digits and the rest to unfold on a phone, and copied without gaps', { skip }, async () => {
+  const id = 'critical/jkr-unit/indentation/force';
+  for (const width of [1200, 390]) {
+    const page = await browser.newPage({ viewport: { width, height: 844 } });
+    await page.goto(new URL(`values-critical.html#${id}`, folder).href);
+    const row = page.locator(`[id="${id}"]`);
+    await page.waitForTimeout(200);
+    // The deep link lands on its value.
+    const box = await row.boundingBox();
+    assert.ok(box.y >= 0 && box.y + box.height <= 844, `${width}: ${box.y}`);
+    const shown = (await row.locator('.digits').innerText()).replace(/\s/g, '');
+    if (width === 390) {
+      assert.equal(shown, '−2.61799387799…');
+      await row.getByRole('button', { name: 'All digits' }).click();
+    }
+    const digits = (await row.locator('.digits').innerText()).replace(/[\s…]/g, '');
+    assert.match(digits, /^−2\.6179938779914943653855361/);
+    assert.ok(digits.length > 45, digits);
+    // Nothing is cut at an edge.
+    const wider = (all) => all.filter((e) => e.scrollWidth > e.clientWidth + 1).length;
+    const over = await page.$$eval('#values section.case > .table', wider);
+    assert.equal(over, 0, `${width}`);
+    const copied = await page.evaluate(async (id) => {
+      const texts = [];
+      Object.defineProperty(navigator, 'clipboard', { value: { writeText: async (text) => texts.push(text) } });
+      const row = document.getElementById(id);
+      for (const button of row.querySelectorAll('.copies button')) button.click();
+      return texts;
+    }, id);
+    assert.equal(copied[0], digits.replace('−', '-'));
+    assert.match(copied[1], /^-0x1\./);
+    assert.ok(copied[2].includes(id) && /release \d/.test(copied[2]));
+    await page.close();
+  }
+});
+
+test('the search finds the theory before data sets, shows where, and is walked by arrow keys', { skip }, async () => {
+  const page = await open('ball');
+  await page.focus('#search');
+  await page.keyboard.type('JKR');
+  await page.waitForSelector('#results a');
+  const found = await page.$$eval('#results a', (all) => all.map((a) => a.getAttribute('href')));
+  assert.ok(found.length > 3 && !/^(fit|values)-/.test(found[0]), found.join());
+  const data = found.findIndex((u) => u.startsWith('fit-jkrtest'));
+  const theory = found.findIndex((u) => !/^(fit|values|source)-/.test(u));
+  assert.ok(data === -1 || theory < data, found.join());
+  assert.match(await page.textContent('#results li:first-child'), /JKR/);
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute('href')), found[1]);
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'search');
+  assert.deepEqual(page.problems, []);
+  await page.close();
+});
+
+test('a number of an equation has a card with the equation', { skip }, async () => {
+  const page = await open('method');
+  const link = page.locator('a.ref').first();
+  await link.hover();
+  await page.waitForSelector('#card:not([hidden]) math');
+  await page.keyboard.press('Escape');
+  assert.ok(await page.locator('#card').isHidden());
+  await page.close();
+});
+
+test('figures move where the explorer is, and are pictures where it is not', { skip }, async () => {
+  const here = existsSync(new URL('explorer.html', folder));
+  const page = await open('two-curves');
+  if (here) {
+    const frame = page.frameLocator('figure.live iframe');
+    await frame.locator('#explorer[data-ready="true"]').waitFor({ state: 'attached', timeout: 20000 });
+    assert.match(await page.locator('figure.live figcaption a').getAttribute('href'), /^explorer\.html#v=-0\.3$/);
+    assert.ok(await frame.locator('#balance').isVisible());
+  }
+  await page.close();
+  const alone = await open('two-curves', { alone: true });
+  assert.ok((await alone.$eval('figure.live img', (img) => img.decode().then(() => img.naturalWidth))) > 300);
+  await alone.close();
 });

@@ -16,7 +16,7 @@ use crate::table::{CellStyle, cell, render, table};
 #[derive(Debug, Args)]
 #[command(after_help = include_str!("../help/derive.txt"))]
 pub(crate) struct Derive {
-    /// Number of an equation, or name of a result
+    /// Number of an equation, name of a result, or a word to search for
     #[arg(value_name = "ID", allow_hyphen_values = true, conflicts_with = "errata")]
     id: Option<String>,
 
@@ -72,7 +72,7 @@ impl Derive {
     fn entries(&self) -> Result<Vec<&'static Entry>> {
         let asked = |entry: &&Entry| !self.errata || entry.erratum.is_some();
         match &self.id {
-            Some(id) => Ok(vec![find(id)?]),
+            Some(id) => find(id),
             None => Ok(entries().iter().filter(asked).collect()),
         }
     }
@@ -94,11 +94,34 @@ fn overview(judgements: &[Judgement]) -> String {
     format!("{}\n\n{}", render(&table), summary(judgements))
 }
 
-/// The entry of an id, which may stand in brackets as in the paper.
-fn find(id: &str) -> Result<&'static Entry> {
+/// The entry of an id, which may stand in brackets as in the paper; else all entries that speak of it.
+fn find(id: &str) -> Result<Vec<&'static Entry>> {
     let bare = id.trim_start_matches('(').trim_end_matches(')');
-    entry(bare).ok_or_else(|| {
+    let found = entry(bare).map_or_else(|| search(bare), |entry| vec![entry]);
+    if found.is_empty() {
         let nearest = nearest(bare, entries().iter().map(|entry| entry.id)).map_or("1.1", |(id, _)| id);
-        Failure::flag("ID", format_args!("no such derivation; the nearest is {nearest}, `mdr derive` lists all"), id)
-    })
+        let reason = format_args!("no such derivation; the nearest is {nearest}, `mdr derive` lists all");
+        return Err(Failure::flag("ID", reason, id));
+    }
+    Ok(found)
+}
+
+/// The entries that have a text of three letters at least between the ends of words, in capitals or not.
+fn search(text: &str) -> Vec<&'static Entry> {
+    let wanted = text.trim().to_lowercase();
+    if wanted.chars().filter(|c| c.is_alphabetic()).count() < 3 {
+        return Vec::new();
+    }
+    let ends = |c: Option<char>| !c.is_some_and(char::is_alphanumeric);
+    let holds = |text: &str| {
+        let text = text.to_lowercase();
+        let mut places = text.match_indices(&wanted);
+        places.any(|(at, found)| ends(text[..at].chars().next_back()) && ends(text[at + found.len()..].chars().next()))
+    };
+    let speaks = |entry: &&Entry| {
+        let steps = entry.steps.iter().map(|step| step.why);
+        let others = entry.assumptions.iter().chain(entry.references).copied();
+        [entry.id, entry.title].into_iter().chain(others).chain(steps).any(holds)
+    };
+    entries().iter().filter(speaks).collect()
 }

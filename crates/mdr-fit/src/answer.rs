@@ -210,6 +210,12 @@ pub struct Fit {
     /// The given and the measured quantity.
     #[cfg_attr(feature = "serde", serde(serialize_with = "observation"))]
     pub observation: Observation,
+    /// The units of X and Y; forces on a half-plane are per length.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub units: [&'static str; 2],
+    /// The elastic medium, where it is no half-space.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub medium: Option<&'static str>,
     /// The estimates, in the order in which the numbers were made free.
     pub parameters: Vec<FitEstimate>,
     /// The covariance of the estimates, with the standard errors of [`FitEstimate::stderr`]; empty unless all are determined.

@@ -1,6 +1,6 @@
 //! The stable arcs of an observed curve between the folds of X.
 
-use mdr_core::contact::{Control, FoldKind, Material, Result};
+use mdr_core::contact::{Control, FoldKind, Result};
 use mdr_numeric::folds;
 
 use super::contact::{Contact, Point};
@@ -44,7 +44,6 @@ pub(super) struct Turn {
 /// # Errors
 /// A material out of its domain; errors of the transform at a fold. See [`folds::find`].
 pub(super) fn turns(contact: &Contact<'_, f64>) -> Result<Vec<Turn>> {
-    let material = Material::new(contact.numbers.e_star, contact.numbers.work)?;
     let control = match (contact.observation, contact.numbers.stiffness) {
         (Observation::ForceOfRadius, _) => return Ok(Vec::new()),
         (Observation::ForceOfIndentation, _) => Control::Indentation,
@@ -52,7 +51,7 @@ pub(super) fn turns(contact: &Contact<'_, f64>) -> Result<Vec<Turn>> {
         (_, Some(stiffness)) => Control::Machine { stiffness },
         (_, None) => Control::Indentation,
     };
-    let found = folds::find(&contact.tip.on(&material, control))?;
+    let found = folds::find(&contact.tip.on([contact.numbers.e_star, contact.numbers.work], control)?)?;
     let turn = |is_fold: bool| {
         move |fold: &mdr_core::contact::Fold<f64>| Turn { s: fold.contact_radius, kind: fold.kind, is_fold }
     };
@@ -126,7 +125,7 @@ pub(super) fn arcs(contact: &Contact<'_, f64>, turns: &[Turn], x: [f64; 2]) -> R
 
 /// A length of the contact: where Δl is a as a sphere of that radius would have it.
 fn scale(contact: &Contact<'_, f64>) -> f64 {
-    let length = contact.numbers.work / contact.numbers.e_star;
+    let length = contact.tip.length_of_work(contact.numbers.work / contact.numbers.e_star);
     contact.tip.transform.outer_radius().map_or(length, |outer| (0.5 * outer).min(length))
 }
 

@@ -2,14 +2,16 @@
 
 use std::sync::Arc;
 
+use mdr::contact::GradedReal;
 use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Control, Material, Result, Transform};
-use mdr_core::number::{Dual, Literal, Real};
+use mdr_core::contact::{Control, Result, Transform};
+use mdr_core::number::{Dual, Literal, Real, Special};
+use mdr_numeric::medium::Adhesion;
 
 use super::observation::Observation;
 use super::problem::{Kind, Problem};
-use mdr::scene::Profile;
+use mdr::scene::Medium;
 
 /// The numbers of a problem in one arithmetic.
 #[derive(Clone, Debug)]
@@ -57,7 +59,10 @@ type DualTransform<R> = Arc<dyn Transform<Dual<R>>>;
 
 /// A profile for one set of its numbers: its transform, and the data for derivatives.
 pub(super) struct Tip<R: Real> {
-    /// g and its relatives.
+    medium: Medium,
+    /// The medium with a modulus of one.
+    unit: mdr_numeric::medium::Medium<R>,
+    /// g and its relatives, for the medium.
     pub(super) transform: Arc<dyn Transform<R>>,
     /// With no number seeded: for g''.
     curvature: DualTransform<R>,
@@ -65,15 +70,16 @@ pub(super) struct Tip<R: Real> {
     seeded: Vec<(usize, DualTransform<R>)>,
 }
 
-impl<R: Struve + Kappa> Tip<R> {
+impl<R: Struve + Kappa + GradedReal> Tip<R> {
     /// With derivatives with respect to the numbers of these indices.
     ///
     /// # Errors
     /// A number out of its domain.
-    pub(super) fn new(profile: &Profile, ctx: R::Ctx, numbers: &[R], free: &[usize]) -> Result<Self>
+    pub(super) fn new(problem: &Problem, ctx: R::Ctx, numbers: &[R], free: &[usize]) -> Result<Self>
     where
-        Dual<R>: Struve + Kappa + Real<Ctx = R::Ctx>,
+        Dual<R>: Struve + Kappa + GradedReal + Real<Ctx = R::Ctx>,
     {
+        let (profile, medium) = (&problem.profile, &problem.medium);
         let dual = |index: Option<usize>| {
             let mut places = numbers.iter().enumerate();
             let mut number = |literal: &Literal| match places.next() {
@@ -81,25 +87,100 @@ impl<R: Struve + Kappa> Tip<R> {
                 Some((_, number)) => Dual::constant(number.clone()),
                 None => Dual::from_literal(ctx, literal),
             };
-            profile.transform::<Dual<R>>(ctx, &mut number).map(Arc::from)
+            profile.transform_on::<Dual<R>>(medium, ctx, &mut number).map(Arc::from)
         };
         let seeded = free.iter().map(|index| Ok((*index, dual(Some(*index))?))).collect::<Result<_>>()?;
         let mut places = numbers.iter();
         let mut number = |literal: &Literal| places.next().cloned().unwrap_or_else(|| R::from_literal(ctx, literal));
-        let transform = profile.transform::<R>(ctx, &mut number)?;
-        Ok(Tip { transform: Arc::from(transform), curvature: dual(None)?, seeded })
+        let transform = profile.transform_on::<R>(medium, ctx, &mut number)?;
+        let unit = medium.of_modulus(ctx, R::from_int(ctx, 1))?;
+        let medium = medium.clone();
+        Ok(Tip { medium, unit, transform: Arc::from(transform), curvature: dual(None)?, seeded })
     }
 
-    /// The tip on a half-space, under a control.
-    pub(super) fn on(&self, material: &Material<R>, control: Control<R>) -> mdr_numeric::contact::Contact<R> {
-        let (medium, adhesion) = (material.into(), material.into());
-        mdr_numeric::contact::Contact::sharing(Arc::clone(&self.transform), medium, adhesion, control)
+    /// The contact of the tip on its medium, by the modulus of the medium and the work of adhesion, under a control.
+    ///
+    /// # Errors
+    /// A number out of its domain.
+    pub(super) fn on(&self, [modulus, work]: [R; 2], control: Control<R>) -> Result<mdr_numeric::contact::Contact<R>> {
+        let (medium, adhesion) = (self.medium.of_modulus(modulus.ctx(), modulus)?, Adhesion::new(work)?);
+        Ok(mdr_numeric::contact::Contact::sharing(Arc::clone(&self.transform), medium, adhesion, control))
     }
 
     /// The transform with the logarithm of a number of the profile seeded.
     fn seeded(&self, kind: Kind) -> Option<&DualTransform<R>> {
         let Kind::Profile(index) = kind else { return None };
         self.seeded.iter().find(|(seed, _)| *seed == index).map(|(_, dual)| dual)
+    }
+}
+
+impl Tip<f64> {
+    /// The work of adhesion over the modulus at which contacts are about as large as this length: the length itself where w/E* is
+    /// one, on a half-space and a half-plane.
+    pub(super) fn work_of_length(&self, length: f64) -> f64 {
+        self.unit.work_of_length(&length)
+    }
+
+    /// The length of a work of adhesion over the modulus.
+    pub(super) fn length_of_work(&self, work: f64) -> f64 {
+        self.unit.length(&work)
+    }
+
+    /// S and SΔl of a contact of this radius, for a modulus and a work of adhesion of one.
+    pub(super) fn unit_forces(&self, a: f64) -> [f64; 2] {
+        if self.medium.is_half_space() {
+            return [2.0 * a, (8.0 * std::f64::consts::PI * a.powi(3)).sqrt()];
+        }
+        let stiffness = self.unit.stiffness(&a);
+        [stiffness, stiffness * self.unit.elongation(&1.0, &a)]
+    }
+
+    /// S and Δl of a contact of this radius, for a modulus of one and this work of adhesion over the modulus.
+    pub(super) fn unit_springs(&self, work: f64, a: f64) -> [f64; 2] {
+        if self.medium.is_half_space() {
+            return [2.0 * a, (2.0 * std::f64::consts::PI * a * work).sqrt()];
+        }
+        [self.unit.stiffness(&a), self.unit.elongation(&work, &a)]
+    }
+}
+
+/// How a contact of radius a answers to its radius: S and Δl with their derivatives.
+struct Springs<R> {
+    /// The modulus M of the medium; 2E* of a half-space.
+    factor: R,
+    /// S/M with its two derivatives; a, 1 and 0 of a half-space.
+    stiffness: [R; 3],
+    /// Δl with its two derivatives.
+    elongation: [R; 3],
+}
+
+impl<R: Special> Springs<R> {
+    /// # Errors
+    /// A number out of its domain.
+    fn new(medium: &Medium, numbers: &Numbers<R>, a: &R) -> Result<Self> {
+        let Numbers { e_star, work, .. } = numbers;
+        if medium.is_half_space() {
+            let elongation = (a.pi().times(2) * a * work / e_star).sqrt();
+            let slope = elongation.clone() / &a.clone().times(2);
+            let curvature = -(elongation.clone() / &a.square().times(4));
+            return Ok(Springs {
+                factor: e_star.clone().times(2),
+                stiffness: [a.clone(), a.lit(1), a.lit(0)],
+                elongation: [elongation, slope, curvature],
+            });
+        }
+        let constant = |x: R| Dual::constant(Dual::constant(x));
+        let radius = Dual { value: Dual::variable(a.clone()), slope: Dual::constant(a.lit(1)) };
+        let unit = medium.of_modulus(a.ctx(), constant(a.lit(1)))?;
+        let of = |whole: Dual<Dual<R>>| [whole.value.value, whole.value.slope, whole.slope.slope];
+        let elongation = of(unit.elongation(&constant(work.clone() / e_star), &radius));
+        Ok(Springs { factor: e_star.clone(), stiffness: of(unit.stiffness(&radius)), elongation })
+    }
+
+    /// F' over the factor, (S d' − S'Δl)/M.
+    fn slope_of_force(&self, d_slope: &R, lag: &R) -> R {
+        let [stiffness, slope, _] = &self.stiffness;
+        stiffness.clone() * d_slope - slope.clone() * lag
     }
 }
 
@@ -110,8 +191,6 @@ pub(super) struct Point<R> {
     pub(super) a: R,
     pub(super) d: R,
     pub(super) f: R,
-    /// Δl(a).
-    elongation: R,
     /// d less the mean of g.
     above_mean: R,
     /// (X, Y), offsets included.
@@ -132,10 +211,23 @@ pub(super) struct Contact<'t, R: Real> {
     pub(super) edge: Option<R>,
 }
 
-impl<'t, R: Struve + Kappa> Contact<'t, R> {
+impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
     pub(super) fn new(tip: &'t Tip<R>, numbers: Numbers<R>, observation: Observation) -> Self {
         let edge = tip.transform.outer_radius().filter(|_| tip.transform.vertical_edge());
         Contact { tip, numbers, observation, edge }
+    }
+
+    fn springs(&self, a: &R) -> Result<Springs<R>> {
+        Springs::new(&self.tip.medium, &self.numbers, a)
+    }
+
+    /// S, the stiffness of a contact of this radius.
+    ///
+    /// # Errors
+    /// A number out of its domain.
+    pub(super) fn stiffness(&self, a: &R) -> Result<R> {
+        let Springs { factor, stiffness: [stiffness, ..], .. } = self.springs(a)?;
+        Ok(factor * &stiffness)
     }
 
     /// The observed quantities as a linear map of (d, F, a), without offsets.
@@ -169,27 +261,26 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
         let edge = self.edge.as_ref().filter(|edge| s > *edge);
         let a = edge.unwrap_or(s).clone();
         let transform = &self.tip.transform;
-        let Numbers { e_star, work, .. } = &self.numbers;
-        let elongation = (a.pi().times(2) * &a * work / e_star).sqrt();
-        let mut d = transform.g(&a)? - &elongation;
-        // d' = g' − Δl/2a, and F' = 2E*(a d' − Δl) along the curve; at an edge d' = 1 and F' = 2E*a.
+        let springs = self.springs(&a)?;
+        let [elongation, change, _] = &springs.elongation;
+        let mut d = transform.g(&a)? - elongation;
+        // d' = g' − Δl', and F' = S d' − S'Δl along the curve; at an edge d' = 1 and F' = S.
         let (d_slope, a_slope, lag) = match edge {
-            None => (transform.slope(&a)? - elongation.clone() / &a.clone().times(2), a.lit(1), elongation.clone()),
+            None => (transform.slope(&a)? - change, a.lit(1), elongation.clone()),
             Some(edge) => {
                 d += &(s.clone() - edge);
                 (a.lit(1), a.lit(0), a.lit(0))
             }
         };
         let above_mean = d.clone() - transform.mean(&a)?;
-        let double = e_star.clone().times(2);
-        let f = double.clone() * &a * &above_mean;
-        let f_slope = double * &(a.clone() * &d_slope - lag);
+        let f = springs.factor.clone() * &springs.stiffness[0] * &above_mean;
+        let f_slope = springs.slope_of_force(&d_slope, &lag) * &springs.factor;
         let [x, y] = self.observe(d.clone(), f.clone(), a.clone());
         let [x0, y0] = self.offsets(self.numbers.contact_point.clone(), self.numbers.baseline.clone());
         let slopes = [d_slope.clone(), f_slope.clone(), a_slope.clone()];
         let tangent = self.observe(d_slope, f_slope, a_slope);
         let beyond_edge = edge.is_some();
-        Ok(Point { a, d, f, elongation, above_mean, at: [x + x0, y + y0], slopes, tangent, beyond_edge })
+        Ok(Point { a, d, f, above_mean, at: [x + x0, y + y0], slopes, tangent, beyond_edge })
     }
 
     /// ∂(X, Y) at a fixed parameter of the curve, with respect to an offset or to the logarithm of another number.
@@ -218,10 +309,12 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
 
     /// ∂(d, F, a) at a fixed parameter of the curve.
     pub(super) fn state_partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 3]> {
-        let Point { a, elongation, above_mean, .. } = point;
-        let half = elongation.clone().over(2);
-        let e_star = &self.numbers.e_star;
-        let lever = e_star.clone() * a * elongation;
+        let Point { a, above_mean, .. } = point;
+        let Springs { factor, stiffness: [stiffness, slope, _], elongation: [elongation, change, _] } =
+            self.springs(a)?;
+        let half = elongation.over(2);
+        // Both Δl and the force of the springs at the edge change with a factor of the modulus.
+        let lever = factor.clone() * &stiffness * &half;
         Ok(match kind {
             Kind::EffectiveModulus => [half, lever + &point.f, a.lit(0)],
             Kind::WorkOfAdhesion => [-half, -lever, a.lit(0)],
@@ -231,9 +324,10 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
                 let at_edge = if point.beyond_edge { dual.outer_radius() } else { None };
                 let radius = at_edge.unwrap_or_else(|| Dual::constant(a.clone()));
                 let moved = radius.slope.clone();
-                let d = dual.g(&radius)?.slope - half / a * &moved;
-                let f = (moved.clone() * above_mean + a.clone() * &(d.clone() - &dual.mean(&radius)?.slope)) * e_star;
-                [d, f.times(2), moved]
+                let d = dual.g(&radius)?.slope - change * &moved;
+                let shift = d.clone() - &dual.mean(&radius)?.slope;
+                let f = (moved.clone() * &slope * above_mean + stiffness * &shift) * &factor;
+                [d, f, moved]
             }
             Kind::Stiffness | Kind::ContactPoint | Kind::Baseline => [a.lit(0), a.lit(0), a.lit(0)],
         })
@@ -244,16 +338,19 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
     /// # Errors
     /// Errors of the transform.
     pub(super) fn curvature(&self, point: &Point<R>) -> Result<[R; 2]> {
-        let Point { a, elongation, .. } = point;
+        let Point { a, .. } = point;
         if point.beyond_edge {
             // There force is linear in depth.
             return Ok([a.lit(0), a.lit(0)]);
         }
         let slope = self.tip.curvature.slope(&Dual::variable(a.clone()))?;
-        let d_slope = slope.value - elongation.clone() / &a.clone().times(2);
-        let d_curvature = slope.slope + elongation.clone() / &a.square().times(4);
-        let f_curvature = (d_slope + a.clone() * &d_curvature - elongation.clone() / &a.clone().times(2))
-            * &self.numbers.e_star.clone().times(2);
+        let Springs { factor, stiffness, elongation } = self.springs(a)?;
+        let ([stiffness, growth, more], [elongation, change, bend]) = (stiffness, elongation);
+        let d_slope = slope.value - &change;
+        let d_curvature = slope.slope - bend;
+        // (S d' − S'Δl)' = S'd' + S d'' − S'Δl' − S''Δl.
+        let f_curvature = growth.clone() * &d_slope + stiffness * &d_curvature - growth * &change - more * &elongation;
+        let f_curvature = f_curvature * &factor;
         Ok(self.observe(d_curvature, f_curvature, a.lit(0)))
     }
 
@@ -262,12 +359,14 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
     /// # Errors
     /// Errors of the transform.
     pub(super) fn x_slope_partial(&self, kind: Kind, point: &Point<R>) -> Result<R> {
-        let Point { a, elongation, slopes: [d_slope, f_slope, _], .. } = point;
-        let (quarter, half) = (elongation.clone() / &a.clone().times(4), elongation.clone().over(2));
+        let Point { a, slopes: [d_slope, f_slope, _], .. } = point;
+        let springs = self.springs(a)?;
+        let [elongation, change, _] = &springs.elongation;
+        let (quarter, half) = (change.clone().over(2), elongation.clone().over(2));
         let zero = || a.lit(0);
-        // F' = 2E*(a d' − Δl) changes with d' and Δl, and with E* itself.
+        // F' = S d' − S'Δl changes with d' and Δl, and with the modulus itself.
         let (d, lag, own) = match kind {
-            Kind::EffectiveModulus => (quarter, -half, a.clone() * d_slope - elongation),
+            Kind::EffectiveModulus => (quarter, -half, springs.slope_of_force(d_slope, elongation)),
             Kind::WorkOfAdhesion => (-quarter, half, zero()),
             Kind::Profile(_) => match self.tip.seeded(kind) {
                 Some(dual) => (dual.slope(&Dual::constant(a.clone()))?.slope, zero(), zero()),
@@ -279,7 +378,8 @@ impl<'t, R: Struve + Kappa> Contact<'t, R> {
             }
             Kind::ContactPoint | Kind::Baseline => return Ok(zero()),
         };
-        let f = (own + a.clone() * &d - lag) * &self.numbers.e_star.clone().times(2);
+        let [stiffness, slope, _] = &springs.stiffness;
+        let f = (own + stiffness.clone() * &d - slope.clone() * &lag) * &springs.factor;
         let [x, _] = self.observe(d, f, zero());
         Ok(x)
     }

@@ -119,7 +119,11 @@ pub(super) fn leg_of(name: &str) -> Option<Leg> {
 
 /// The unit of a column, by its name.
 pub(super) fn si_unit(base: &str) -> SiUnit {
-    if base == "m" { SiUnit::Metre } else { SiUnit::Newton }
+    match base {
+        "m" => SiUnit::Metre,
+        "N" => SiUnit::Newton,
+        _ => SiUnit::NewtonPerMetre,
+    }
 }
 
 /// A number with its unit in SI; the unit is a base, `m` or `N`, with a prefix. `None` for another unit or no number.

@@ -73,6 +73,13 @@ fn out_of_contact(problem: &Problem) -> String {
 fn check(problem: &Problem) -> Result<()> {
     let refuse = |key: &str, why: String| Err(Location::built(key).refuse(why));
     let free = problem.parameters.iter().filter(|parameter| parameter.free).count();
+    if problem.range_of_adhesion.is_some() && !problem.medium.is_half_space() {
+        let why = format!(
+            "the theory of a finite range of adhesion is not available on kind = \"{}\": leave it out",
+            problem.medium.name()
+        );
+        return refuse("output.range_of_adhesion", why);
+    }
     if free == 0 {
         return refuse("fit.free", "nothing is free".to_owned());
     }
@@ -210,9 +217,10 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     };
     let vertical = objective.x_scale.is_none();
     let alike = objective.counts_alike();
-    let unit = match problem.observation.units()[1] {
+    let unit = match problem.units()[1] {
         "N" => "N^2",
-        _ => "m^2",
+        "m" => "m^2",
+        _ => "N^2/m^2",
     };
     let rows = rows(objective, minimum)?;
     let residuals: Vec<f64> = rows.iter().map(|row| row.residual).collect();
@@ -221,7 +229,9 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         status,
         reason,
         profile: problem.profile.name(),
+        medium: (!problem.medium.is_half_space()).then(|| problem.medium.name()),
         observation: problem.observation,
+        units: problem.units(),
         parameters: errors.estimates(status),
         // Without a factor of σ, which may be so small or large that products leave the range of doubles.
         correlation: if status.has_estimates() { correlation(&errors.covariance(1.0)) } else { Vec::new() },

@@ -5,8 +5,7 @@
 //! grid of w/E* and contact points it is found for every jump from running sums. Its least minima are where descents begin: those without
 //! any detached row, and those with a jump, each by themselves.
 
-use mdr_core::contact::Transform;
-
+use super::contact::Tip;
 use super::observation::{Leg, Observation};
 use super::problem::{Kind, Problem};
 
@@ -73,11 +72,11 @@ struct Found {
 const NAMES: [&str; 2] = ["all-in-contact", "jump"];
 
 /// The starts of all hypotheses with their names, the least sums of squares first: E*, w, contact point and baseline.
-pub(super) fn starts(problem: &Problem, transform: &dyn Transform<f64>) -> Vec<(&'static str, [f64; 4])> {
-    search(problem, transform).unwrap_or_default()
+pub(super) fn starts(problem: &Problem, tip: &Tip<f64>) -> Vec<(&'static str, [f64; 4])> {
+    search(problem, tip).unwrap_or_default()
 }
 
-fn search(problem: &Problem, transform: &dyn Transform<f64>) -> Option<Vec<(&'static str, [f64; 4])>> {
+fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f64; 4])>> {
     let baseline = problem.known(Kind::Baseline).unwrap_or(0.0);
     let stiffness = problem.known(Kind::Stiffness).unwrap_or(f64::INFINITY);
     let stride = problem.rows.len().div_ceil(ROWS).max(1);
@@ -105,17 +104,22 @@ fn search(problem: &Problem, transform: &dyn Transform<f64>) -> Option<Vec<(&'st
         problem.is_free(Kind::ContactPoint) || (problem.is_free(Kind::Baseline) && problem.observation.has_machine());
     let point = problem.known(Kind::ContactPoint).unwrap_or(0.0);
     let deepest = if moves { 2.5 * span } else { (depths.last()? - point).max(0.0) + 0.1 * span };
-    let tip = Sampled::new(transform, deepest)?;
+    let tip = Sampled::new(pressed, deepest)?;
     let given = |kind: Kind| problem.known(kind).filter(|_| !problem.is_free(kind));
     let given_baseline = given(Kind::Baseline).map(|_| 0.0);
     let lengths: Vec<(f64, Option<f64>)> = match [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(given) {
         [Some(e_star), Some(work)] => vec![(work / e_star, Some(e_star))],
         [None, Some(work)] => {
-            let scale = largest / (tip.widest(span) * span);
+            let [stiffness, _] = pressed.unit_springs(0.0, tip.widest(span));
+            // Of a half-space E*·a·d.
+            let scale = largest / (stiffness / 2.0 * span);
             let e_star = |power: i32| scale * 10f64.powf(f64::from(power) / IN_A_DECADE);
             MODULI.map(e_star).map(|e_star| (work / e_star, Some(e_star))).collect()
         }
-        [e_star, None] => LENGTHS.map(|power| (span * 10f64.powf(f64::from(power) / IN_A_DECADE), e_star)).collect(),
+        [e_star, None] => {
+            let length = |power: i32| pressed.work_of_length(span * 10f64.powf(f64::from(power) / IN_A_DECADE));
+            LENGTHS.map(|power| (length(power), e_star)).collect()
+        }
     };
     let has_tail = problem.observation != Observation::IndentationOfForce;
     // At w/E* with the given E*, and where the fold is or, if the depth has no offset, that being given.
@@ -223,7 +227,8 @@ fn minima(grid: &[Vec<Option<Found>>]) -> Vec<Found> {
 }
 
 /// The tip at many radii: a, g and the mean of g.
-struct Sampled {
+struct Sampled<'t> {
+    tip: &'t Tip<f64>,
     points: Vec<[f64; 3]>,
     /// Depths beyond a vertical edge, where the contact stays.
     beyond: f64,
@@ -246,9 +251,10 @@ impl Curve {
     }
 }
 
-impl Sampled {
+impl<'t> Sampled<'t> {
     /// Up to radii at which the contact is `deepest` without adhesion.
-    fn new(transform: &dyn Transform<f64>, deepest: f64) -> Option<Self> {
+    fn new(tip: &'t Tip<f64>, deepest: f64) -> Option<Self> {
+        let transform = &tip.transform;
         let outer = transform.outer_radius().map(|outer| outer * (1.0 - 1e-12));
         let reaches = |a: f64| transform.g(&a).map_or(true, |g| g >= deepest);
         let mut last = outer.map_or(deepest, |outer| outer.min(deepest));
@@ -271,7 +277,7 @@ impl Sampled {
         };
         let points: Vec<[f64; 3]> = (0..RADII).map(radius).filter_map(point).collect();
         let beyond = if transform.vertical_edge() { deepest } else { 0.0 };
-        (points.len() > 2).then_some(Sampled { points, beyond })
+        (points.len() > 2).then_some(Sampled { tip, points, beyond })
     }
 
     /// The radius at which the contact is so deep without adhesion.
@@ -282,8 +288,9 @@ impl Sampled {
 
     fn curve(&self, length: f64, observation: Observation) -> Option<Curve> {
         let state = |[a, g, mean]: [f64; 3], more: f64| {
-            let d = g - (2.0 * std::f64::consts::PI * a * length).sqrt() + more;
-            [d, 2.0 * a * (d - mean)]
+            let [stiffness, elongation] = self.tip.unit_springs(length, a);
+            let d = g - elongation + more;
+            [d, stiffness * (d - mean)]
         };
         let mut states: Vec<[f64; 2]> = self.points.iter().map(|point| state(*point, 0.0)).collect();
         if self.beyond > 0.0 {

@@ -107,7 +107,7 @@ impl<'p> Objective<'p> {
                 let given = |index: usize| problem.parameters[index].value.unwrap_or(f64::NAN);
                 Numbers::of(problem, given, || 0.0).profile
             };
-            objective.tip = Some(Shared::new(Tip::new(&problem.profile, (), &numbers, &[])?));
+            objective.tip = Some(Shared::new(Tip::new(problem, (), &numbers, &[])?));
         }
         Ok(objective)
     }
@@ -207,7 +207,7 @@ impl<'p> Objective<'p> {
         let numbers = self.numbers(fitted);
         let tip = match &self.tip {
             Some(tip) => Shared::clone(tip),
-            None => Shared::new(Tip::new(&self.problem.profile, (), &numbers.profile, &self.free_of_profile())?),
+            None => Shared::new(Tip::new(self.problem, (), &numbers.profile, &self.free_of_profile())?),
         };
         let contact = Contact::new(&*tip, numbers.clone(), self.problem.observation);
         let turns = match before.and_then(|before| arcs::followed(&contact, &before.turns)) {

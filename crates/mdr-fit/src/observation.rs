@@ -45,6 +45,11 @@ impl Observation {
         }
     }
 
+    /// The units of X and Y on a medium, where forces may be per length.
+    pub(super) fn units_on(self, medium: &mdr::scene::Medium) -> [&'static str; 2] {
+        self.units().map(|unit| if unit == "N" { medium.force_unit() } else { unit })
+    }
+
     /// Depth and force of a row (X, Y); the offsets are those of the contact point and of the baseline.
     pub(super) fn state(self, [x, y]: [f64; 2], [contact_point, baseline]: [f64; 2], stiffness: f64) -> [f64; 2] {
         let [given, seen] = [x - contact_point, y - baseline];

@@ -7,7 +7,7 @@ use super::answer::Fit;
 use super::observation::{Leg, Loss, Observation};
 use super::text::CurveText;
 use mdr::reading::Location;
-use mdr::scene::{IntoProfile, Profile};
+use mdr::scene::{IntoProfile, Medium, Profile};
 use mdr::{Error, Result};
 
 /// The numbers of a problem that can be unknown.
@@ -57,6 +57,7 @@ pub(super) struct DataRow {
 #[derive(Clone, Debug)]
 pub struct Problem {
     pub(super) profile: Profile,
+    pub(super) medium: Medium,
     pub(super) observation: Observation,
     pub(super) parameters: Vec<Parameter>,
     pub(super) rows: Vec<DataRow>,
@@ -121,6 +122,7 @@ impl Problem {
         number_repeated_names(&mut parameters);
         Ok(Problem {
             profile,
+            medium: Medium::HalfSpace,
             observation,
             parameters,
             rows,
@@ -133,6 +135,50 @@ impl Problem {
             read: None,
             place,
         })
+    }
+
+    /// Sets the elastic medium; without it a half-space. On a graded half-space `coefficient` c takes the place of `e_star`, and on
+    /// a Winkler foundation `modulus` K_w: a known number, which may be made free. The exponent of the grading and the reference of
+    /// a half-plane stay as they are given. Forces on a half-plane are per length.
+    ///
+    /// # Errors
+    /// A number of the medium out of its domain; a periodic medium; a half-plane without a reference, unless radii are observed.
+    pub fn medium(mut self, medium: Medium) -> Result<Self> {
+        let refused = |key: &str, why: &str| Err(refuse(key, why));
+        if !medium.has_depth() && !self.observation.sees_radius() {
+            let why = "a line contact has no depth of its own: give the reference of the measured depths, or observe F(a) or a(F)";
+            return refused("medium.reference", why);
+        }
+        if medium.is_periodic() {
+            let why = "fits on a periodic medium are not available: solve scenes for several numbers and compare";
+            return refused("medium", why);
+        }
+        let (name, unit) = medium.modulus_key();
+        let value = medium.own_modulus::<f64>(())?;
+        let unit_of_force = if medium.force_unit() == "N" { SiUnit::Newton } else { SiUnit::NewtonPerMetre };
+        for parameter in &mut self.parameters {
+            match parameter.kind {
+                Kind::EffectiveModulus => {
+                    (parameter.name, parameter.unit) = (name.to_owned(), unit);
+                    parameter.value = value.or(parameter.value);
+                }
+                Kind::Baseline if parameter.unit == SiUnit::Newton => parameter.unit = unit_of_force,
+                Kind::Stiffness if unit_of_force != SiUnit::Newton => parameter.unit = SiUnit::Pascal,
+                _ => {}
+            }
+        }
+        self.medium = medium.without_grading();
+        Ok(self)
+    }
+
+    /// The units of X and Y.
+    pub(super) fn units(&self) -> [&'static str; 2] {
+        self.observation.units_on(&self.medium)
+    }
+
+    /// Whether the modulus is that of the medium, and not E*.
+    pub(super) fn has_modulus_of_medium(&self) -> bool {
+        self.parameters.iter().any(|parameter| parameter.kind == Kind::EffectiveModulus && parameter.name != "e_star")
     }
 
     /// Makes these numbers unknown: `e_star`, `work_of_adhesion`, `stiffness`, `contact_point`, `baseline`, and the numbers of

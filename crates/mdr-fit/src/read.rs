@@ -13,6 +13,7 @@ use mdr::files;
 use mdr::reading::Location;
 use mdr::reading::{self, Section, Value};
 use mdr::scene::Files;
+use mdr::scene::Medium;
 use mdr::scene::{MAX_DIGITS, Profile};
 use mdr::{Error, Result};
 
@@ -76,14 +77,7 @@ struct Curve<'c> {
 }
 
 fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
-    if let Some(medium) = top.optional("medium") {
-        let why = "fits are available on a homogeneous half-space only: leave [medium] out";
-        return Err(medium.refuse(why));
-    }
-    if let Some(medium) = top.optional("medium") {
-        let why = "fits are available on a homogeneous half-space only: leave [medium] out";
-        return Err(medium.refuse(why));
-    }
+    let medium = top.optional_section("medium")?;
     let shape = top.section("profile")?;
     let profile = Profile::read(&shape)?;
     if let Profile::Table(measured) = &profile {
@@ -91,12 +85,18 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     }
     let data = top.section("data")?;
     let observation = data.required("observation")?.choice("observation", &Observation::NAMES)?;
-    let (record, sigma) = rows_of(&data, observation, curve)?;
+    let pressed = medium.as_ref().map(Medium::read).transpose()?.unwrap_or_default();
+    let (record, sigma) = rows_of(&data, observation.units_on(&pressed), curve)?;
     data.finish()?;
     let mut problem = Problem::with(profile, observation, record.rows, data.place())?;
+    if let Some(section) = &medium {
+        problem = problem.medium(pressed).map_err(|error| at(error, section.place()))?;
+    }
     (problem.sigma, problem.read) = (sigma, record.text);
     if let Some(material) = top.optional_section("material")? {
-        for key in ["e_star", "work_of_adhesion"] {
+        let known =
+            if problem.has_modulus_of_medium() { &["work_of_adhesion"][..] } else { &["e_star", "work_of_adhesion"] };
+        for key in known {
             if let Some(value) = material.optional(key) {
                 let number = number(&value, problem.unit_of(key))?;
                 problem = problem.fixed(key, number).map_err(|error| at(error, value.place()))?;
@@ -107,7 +107,7 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     problem = control(problem, top.optional_section("control")?)?;
     problem = unknowns(problem, &top.section("fit")?)?;
     if let Some(events) = top.optional_section("events")? {
-        let unit = data::si_unit(observation.units()[0]);
+        let unit = data::si_unit(problem.units()[0]);
         let [place, sigma] = [number(&events.required("pull_off")?, unit)?, number(&events.required("sigma")?, unit)?];
         problem = problem.pull_off(place, sigma).map_err(|error| at(error, events.place()))?;
         events.finish()?;
@@ -129,10 +129,9 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
 /// The table `[data]`: rows in a file beside it, or of the `curve` instead, or in it; and their standard deviations.
 fn rows_of(
     data: &Section<'_>,
-    observation: Observation,
+    bases: [&'static str; 2],
     curve: Option<Curve<'_>>,
 ) -> Result<(Record, [Option<f64>; 2])> {
-    let bases = observation.units();
     let mut columns = Columns::default();
     if let Some(value) = data.optional("columns") {
         let names = value.section()?;

@@ -1,6 +1,6 @@
 //! Values to begin from: by the two-point method, or by a search.
 
-use mdr_core::contact::{Control, Flank, Fold, Material, Shape};
+use mdr_core::contact::{Control, Flank, Fold, Shape};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::folds;
 use nalgebra::{DMatrix, DVector};
@@ -92,16 +92,17 @@ fn from_data(problem: &Problem, source: Source) -> Vec<(&'static str, [f64; 4])>
         .filter(|parameter| matches!(parameter.kind, Kind::Profile(_)))
         .map(|parameter| parameter.known().unwrap_or(f64::NAN))
         .collect();
-    let Ok(tip) = Tip::<f64>::new(&problem.profile, (), &numbers, &[]) else { return Vec::new() };
+    let Ok(tip) = Tip::<f64>::new(problem, (), &numbers, &[]) else { return Vec::new() };
     match (problem.observation.sees_radius(), source) {
         (true, Source::Formula) => {
             by_regression(problem, &tip).map(|numbers| ("regression", numbers)).into_iter().collect()
         }
         (false, Source::Formula) => {
-            let found = two_points(problem, &record(problem), &numbers);
+            let found =
+                if problem.medium.is_half_space() { two_points(problem, &record(problem), &numbers) } else { None };
             found.map(|numbers| ("two-points", numbers)).into_iter().collect()
         }
-        (false, Source::Record) => hypotheses::starts(problem, &*tip.transform),
+        (false, Source::Record) => hypotheses::starts(problem, &tip),
         (false, Source::Search) => {
             by_search(problem, &record(problem), &tip).into_iter().map(|numbers| ("search", numbers)).collect()
         }
@@ -203,7 +204,10 @@ fn by_search(problem: &Problem, record: &Record, tip: &Tip<f64>) -> Vec<[f64; 4]
     let mut minima: Vec<(f64, [f64; 4], Anchor)> = Vec::new();
     for anchor in [Anchor::SmallestForce, Anchor::PullOff] {
         let coarse: Vec<_> = LENGTHS
-            .map(|power| with_length(problem, record, tip, span * 10f64.powf(f64::from(power) / 3.0), anchor))
+            .map(|power| {
+                let length = tip.work_of_length(span * 10f64.powf(f64::from(power) / 3.0));
+                with_length(problem, record, tip, length, anchor)
+            })
             .collect();
         let cost = |index: Option<usize>| {
             let found = index.and_then(|index| coarse.get(index)?.as_ref());
@@ -246,12 +250,11 @@ fn with_length(
     length: f64,
     anchor: Anchor,
 ) -> Option<(f64, [f64; 4])> {
-    let material = Material::new(1.0, length).ok()?;
     let (control, [at, smallest]) = match anchor {
         Anchor::SmallestForce => (Control::Force, record.lowest()),
         Anchor::PullOff => (Control::Indentation, record.last?),
     };
-    let curve = tip.on(&material, control);
+    let curve = tip.on([1.0, length], control).ok()?;
     let folds = folds::find(&curve).ok()?;
     let held = |fold: &Fold<f64>| if anchor == Anchor::PullOff { fold.indentation } else { fold.force };
     let lowest = folds.folds.iter().min_by(|one, other| held(one).total_cmp(&held(other)))?;
@@ -316,8 +319,9 @@ fn by_regression(problem: &Problem, tip: &Tip<f64>) -> Option<[f64; 4]> {
     let mut matrix = DMatrix::zeros(rows.len(), columns);
     let mut forces = DVector::zeros(rows.len());
     for (index, [radius, force]) in rows.iter().enumerate() {
-        matrix[(index, 0)] = 2.0 * radius * tip.transform.above_mean(radius).ok()?;
-        matrix[(index, 1)] = -(8.0 * std::f64::consts::PI * radius.powi(3)).sqrt();
+        let [stiffness, pull] = tip.unit_forces(*radius);
+        matrix[(index, 0)] = stiffness * tip.transform.above_mean(radius).ok()?;
+        matrix[(index, 1)] = -pull;
         if with_baseline {
             matrix[(index, 2)] = 1.0;
         }

@@ -57,11 +57,12 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
     let widest = fit.rows.iter().filter_map(|row| row.contact_radius).fold(0.0, f64::max);
     let numbers = &minimum.evaluation.numbers;
     if let Some(stiffness) = numbers.stiffness {
-        let ratio = 2.0 * numbers.e_star * widest / stiffness;
+        let ratio = minimum.evaluation.contact(problem.observation).stiffness(&widest).unwrap_or(0.0) / stiffness;
         if ratio > 10.0 {
             warnings.push(format!(
-                "the contact is {ratio:.0} times stiffer than the machine, 2E*a/k, so that the curve shows the machine rather than \
-                 the contact: errors of the stiffness weigh heavily"
+                "the contact is {ratio:.0} times stiffer than the machine, {}, so that the curve shows the machine rather than \
+                 the contact: errors of the stiffness weigh heavily",
+                if problem.medium.is_half_space() { "2E*a/k" } else { "S/k" }
             ));
         }
     }
@@ -127,7 +128,7 @@ pub(super) fn of_scatter(fit: &mut Fit, seen: f64, residual: f64) {
         fit.warnings.push(format!(
             "the residuals are {:.1} times as large as the scatter of neighbouring rows, {seen:.2e} {}: the curve misses the data",
             residual / seen,
-            fit.observation.units()[1]
+            fit.units[1]
         ));
     }
 }

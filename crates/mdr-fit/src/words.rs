@@ -59,7 +59,7 @@ impl Fit {
             ("First touch, predicted", &self.predicted_jump_in),
             ("Jump into contact, measured", &self.measured_jump_in),
         ];
-        let units = self.observation.units();
+        let units = self.units;
         let known = named.into_iter().filter_map(|(title, event)| Some((title, event.as_ref()?)));
         known.map(|(title, event)| format!("{title}: {}", event.sentence(&units))).collect()
     }

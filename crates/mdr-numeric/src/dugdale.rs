@@ -11,6 +11,7 @@
 //! Along these states the force is stationary where ∫₀^θ x g'(x) dφ = s (c²θ²/a + c − a), x = c cos φ; h₀ → 0 gives the
 //! fold under a dead load, g'(a) = 3Δl'(a).
 
+mod graded;
 mod ring;
 
 use std::cmp::Ordering;
@@ -22,6 +23,7 @@ use mdr_core::number::{Special, order};
 
 use crate::contact::{Contact, negligible};
 
+pub use graded::state_on_graded;
 use ring::Ring;
 
 /// The range of adhesion, for errors.

@@ -17,15 +17,16 @@ use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result, Stability
 use mdr_core::number::{Dual, Real};
 
 use crate::contact::{Contact, in_range, negligible};
-use crate::medium::Medium;
 use crate::survey::{self, Crossing, Range};
 pub(crate) use loading::Complete;
 use mean::Grade;
 
 /// What lacks an energy, for errors.
-const MEDIUM: Quantity = Quantity::Parameter("the medium");
+/// The medium, where it lacks what is asked of it.
+pub const MEDIUM: Quantity = Quantity::Parameter("the medium");
 /// Why a line contact has no energy.
-const NEEDS_ENERGY: &str = "another one: the energy of a line contact grows with the size of the body without bound";
+const NEEDS_ENERGY: &str =
+    "one with an energy: that of a line contact grows without bound with the size of the body; take forces and folds";
 
 /// The potential energy of a profile in contact.
 ///
@@ -52,8 +53,12 @@ impl<R: Real> Energy<R> {
     /// # Errors
     /// [`Error::OutOfRange`] if w/E* is not representable in this arithmetic.
     pub fn new(contact: Contact<R>) -> Result<Self> {
-        if matches!(contact.medium(), Medium::Plane { .. }) {
-            return Err(Error::domain(MEDIUM, contact.modulus(), NEEDS_ENERGY));
+        if !contact.medium().has_energy() {
+            return Err(Error::Domain {
+                quantity: MEDIUM,
+                value: "a half-plane".to_owned(),
+                requirement: NEEDS_ENERGY,
+            });
         }
         let (transform, length) = (contact.transform(), contact.material_length());
         if !(length > length.lit(0) && length.is_finite()) {
@@ -80,7 +85,7 @@ impl<R: Real> Energy<R> {
         mean: impl FnOnce(&dyn Fn(&R) -> Result<R>) -> Result<R>,
     ) -> Result<R> {
         let a = Error::require_positive(Quantity::ContactRadius, a.clone())?;
-        if let Medium::Periodic { wavelength, .. } = self.contact.medium() {
+        if let Some(wavelength) = self.contact.medium().period() {
             return self.by_loading(wavelength, &a, d);
         }
         let unit = self.unit(&a);

@@ -197,6 +197,28 @@ impl<R: Real> Medium<R> {
         !matches!(self, Medium::Plane { reference: None, .. })
     }
 
+    /// k of a half-space graded as E ∝ zᵏ, which is 0 without a grading; `None` for another medium.
+    pub fn exponent(&self, like: &R) -> Option<R> {
+        match self {
+            Medium::HalfSpace { .. } => Some(like.lit(0)),
+            Medium::Graded { exponent, .. } => Some(exponent.clone()),
+            _ => None,
+        }
+    }
+
+    /// The period of a medium in contact along strips, in m.
+    pub fn period(&self) -> Option<&R> {
+        match self {
+            Medium::Periodic { wavelength, .. } => Some(wavelength),
+            _ => None,
+        }
+    }
+
+    /// Whether a contact has an elastic energy of its own: that of a line contact grows with the size of the body.
+    pub fn has_energy(&self) -> bool {
+        !matches!(self, Medium::Plane { .. })
+    }
+
     /// The medium with a modulus of one, in doubles: forces and works of adhesion are then divided by the modulus, and lengths
     /// are unchanged, also if a modulus is out of the range of doubles.
     pub(crate) fn of_unit_modulus(&self) -> Medium<f64> {
@@ -318,6 +340,23 @@ impl<R: Real> Medium<R> {
             }
             Medium::Winkler { .. } => self.reduced_work(work).sqrt(),
             Medium::Periodic { wavelength, .. } => wavelength.clone(),
+        }
+    }
+
+    /// The work of adhesion over the modulus at which a contact is about as large as this length, in units of the medium: the
+    /// inverse of [`Medium::length`] for a modulus of one.
+    ///
+    /// ```
+    /// use mdr_numeric::medium::Medium;
+    /// let springs = Medium::winkler(1.0)?;
+    /// assert_eq!(springs.length(&springs.work_of_length(&1e-3)), 1e-3);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    pub fn work_of_length(&self, length: &R) -> R {
+        match self {
+            Medium::HalfSpace { .. } | Medium::Plane { .. } | Medium::Periodic { .. } => length.clone(),
+            Medium::Graded { exponent, .. } => length.pow(&(exponent.lit(1) + exponent)),
+            Medium::Winkler { .. } => length.square(),
         }
     }
 

@@ -178,3 +178,29 @@ fn quadratures_are_the_closed_forms() {
         || Heights::new([Shape::RoundedPunch { radius: 1.0, flat: 0.2 }, Shape::Paraboloid { radius: 3.0 }]).unwrap();
     compare(&Weighted::graded(kinked(), 0.0), &Quadrature::new(kinked()), "kinked");
 }
+
+/// Maugis and Dugdale on a graded half-space: values that were computed elsewhere, and the half-space as k = 0.
+#[test]
+fn a_ring_of_attraction_on_a_graded_half_space() {
+    use mdr_numeric::dugdale::{Dugdale, state_on_graded};
+    let k = 0.3_f64;
+    let kappa = mdr_numeric::transform::graded_kappa(&2.0, &k);
+    let square = Powers::new([[2.0, kappa, (1.0 + k) / (3.0 + k)]]).unwrap();
+    let state = state_on_graded(&contact(square, Medium::graded(1.0, k).unwrap()), &1.0, &0.3).unwrap();
+    let expected = [0.3 * 1.002_200_220_045_070_3, -0.025_668_656_600_878_8, -0.025_910_427_927_081_932];
+    for (found, expected) in [state.outer_radius, state.indentation, state.force].into_iter().zip(expected) {
+        // The ring is a 450th of a wide, and known to half of the digits less three.
+        assert!((found / expected - 1.0).abs() < 1e-10, "{found} {expected}");
+    }
+    let homogeneous = contact(Quadrature::new(ball()), Medium::half_space(1.0).unwrap());
+    let separation = WORK / 0.5;
+    let one = state_on_graded(&homogeneous, &0.5, &0.3).unwrap();
+    let other = Dugdale::new(homogeneous.clone(), &separation).unwrap().state(&0.3).unwrap();
+    for (one, other) in
+        [(one.outer_radius, other.outer_radius), (one.indentation, other.indentation), (one.force, other.force)]
+    {
+        assert!((one / other - 1.0).abs() < 1e-10, "{one} {other}");
+    }
+    let springs = contact(Quadrature::new(ball()), Medium::winkler(1.0).unwrap());
+    assert!(state_on_graded(&springs, &1.0, &0.3).unwrap_err().to_string().contains("half-space"));
+}

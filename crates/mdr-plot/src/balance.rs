@@ -21,13 +21,7 @@ pub(crate) struct Balance<'a> {
 impl Balance<'_> {
     /// (a, Δl(a)) in the units of the axes.
     pub(crate) fn on_elongation(&self, a: f64) -> Point {
-        // Δl grows as √a, which is exact from any sample.
-        let elongation = self
-            .diagram
-            .samples()
-            .next_back()
-            .map_or(f64::NAN, |sample| sample.elongation * (a / sample.contact_radius).sqrt());
-        [a / self.units[0], elongation / self.units[1]]
+        [a / self.units[0], self.diagram.elongation_at(a) / self.units[1]]
     }
 
     /// The curve Δl(a).

@@ -39,8 +39,7 @@ fn names(observation: Observation) -> [&'static str; 2] {
 
 /// A panel of the rows, one layer of marks for each label.
 fn panel(fit: &Fit, heading: &str, y: Axis, height: impl Fn(&FittedRow) -> Option<f64>) -> Panel {
-    let x =
-        Axis::around(names(fit.observation)[0], Unit::Si(fit.observation.units()[0]), fit.rows.iter().map(|row| row.x));
+    let x = Axis::around(names(fit.observation)[0], Unit::Si(fit.units[0]), fit.rows.iter().map(|row| row.x));
     let mut panel = Panel::new(heading, x, y);
     let mut labels: Vec<i32> = fit.rows.iter().map(|row| row.label).collect();
     labels.sort_unstable();
@@ -62,7 +61,7 @@ fn panel(fit: &Fit, heading: &str, y: Axis, height: impl Fn(&FittedRow) -> Optio
 
 fn curve(fit: &Fit) -> Panel {
     let [_, quantity] = names(fit.observation);
-    let y = Axis::around(quantity, Unit::Si(fit.observation.units()[1]), fit.rows.iter().map(|row| row.y));
+    let y = Axis::around(quantity, Unit::Si(fit.units[1]), fit.rows.iter().map(|row| row.y));
     let mut panel = panel(fit, "(a)  Data and fitted curve", y, |row| Some(row.y));
     for arc in &fit.arcs {
         let points = arc.iter().map(|[x, y, _]| [*x, *y]).collect();

@@ -23,7 +23,7 @@ const MOST_NUMBERS: usize = 14;
 /// The panel of one plane.
 pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
     let states = states(data);
-    let force = Axis::around("normal force *F*", Unit::Si("N"), states.iter().map(|state| state.force));
+    let force = Axis::around("normal force *F*", Unit::Si(data.force_unit), states.iter().map(|state| state.force));
     let (heading, x) = match plane {
         Plane::Indentation => {
             let values = states.iter().map(|state| state.indentation);

@@ -48,7 +48,7 @@ pub(crate) fn radius_axis(data: &Diagram) -> Axis {
 fn named(data: &Diagram, value: f64) -> String {
     let (name, unit) = match data.control {
         Control::Indentation => ("*d*", "m"),
-        Control::Force => ("*F*", "N"),
+        Control::Force => ("*F*", data.force_unit),
         Control::Machine { .. } => ("*d* + *F*/*k*", "m"),
     };
     format!("{name} = {}", with_prefix(value, unit))
@@ -142,6 +142,15 @@ fn directions(data: &Diagram, held: &HeldCurve, Panel { x, y, .. }: &Panel) -> V
     layers
 }
 
+/// The unit of a force over a length.
+fn unit_of_stiffness(force: &str) -> &'static str {
+    match force {
+        "N" => "N/m",
+        "Pa" => "Pa/m",
+        _ => "Pa",
+    }
+}
+
 /// Events in a caption.
 const MOST_TOLD: usize = 40;
 
@@ -150,7 +159,9 @@ fn description(data: &Diagram) -> String {
     let control = match &data.control {
         Control::Indentation => "controlled indentation".to_owned(),
         Control::Force => "controlled force".to_owned(),
-        Control::Machine { stiffness } => format!("a machine of stiffness {stiffness} N/m"),
+        Control::Machine { stiffness } => {
+            format!("a machine of stiffness {stiffness} {}", unit_of_stiffness(data.force_unit))
+        }
     };
     let mut text = format!(
         "Under {control}, computed in f64. (a) The diagram of Δl(a) and g(a) − d; equilibria are where the curves meet. \
@@ -169,7 +180,7 @@ fn description(data: &Diagram) -> String {
             if let Some(State { contact_radius, indentation, force }) = state {
                 text.push_str(&format!(" {word} a = {contact_radius:.6e} m"));
                 if indentation.is_finite() {
-                    text.push_str(&format!(", d = {indentation:.6e} m, F = {force:.6e} N"));
+                    text.push_str(&format!(", d = {indentation:.6e} m, F = {force:.6e} {}", data.force_unit));
                 }
             }
         }

@@ -78,6 +78,10 @@ pub(crate) fn in_si(text: &str, key: &str, name: &str) -> PyResult<String> {
         "stiffness" => Some(SiUnit::NewtonPerMetre),
         "range_of_adhesion" | "offset" | "smooth" | "contact_point" => Some(SiUnit::Metre),
         "parameters" => Some(SiUnit::Unstated),
+        "medium.length" => Some(SiUnit::Metre),
+        "medium.modulus" => Some(SiUnit::Pascal),
+        "medium.foundation" => Some(SiUnit::PascalPerMetre),
+        "medium.coefficient" => Some(SiUnit::Coefficient),
         key => Shape::unit_of_key(key),
     };
     match unit.map(|unit| unit.read(text)) {

@@ -127,6 +127,9 @@ pub mod contact {
     pub use mdr_numeric::medium::{Adhesion, Medium};
     pub use mdr_numeric::path;
     pub use mdr_numeric::transform::{LineLoad, Powers, Quadrature, Wave, Weighted, graded_kappa};
+
+    pub use crate::scene::SceneReal;
+    pub use crate::solve::GradedReal;
 }
 
 /// The reader of TOML and JSON with places, for documents that contain parts of scenes: a fit, for example.

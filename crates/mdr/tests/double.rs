@@ -133,3 +133,71 @@ fn outside_of_the_profile_there_is_no_balance() {
     assert_eq!(stability.iter().map(Option::is_some).collect::<Vec<_>>(), [false, false, true, false]);
     assert!(ball.balance(&control, f64::NAN, &radii, &stop).is_err());
 }
+
+/// A scene on a medium, from its tables in JSON.
+fn on_medium(medium: &str, profile: &str, work: &str) -> Result<Contact, mdr::Error> {
+    let text = format!(
+        r#"{{"profile": {profile}, "medium": {medium}, "material": {{"e_star": 1, "work_of_adhesion": "{work}"}},
+            "output": {{"want": ["transform"], "transform": {{"at": ["0.1"]}}}}}}"#
+    );
+    let text = if medium.contains("graded") || medium.contains("winkler") {
+        text.replace("\"e_star\": 1, ", "")
+    } else {
+        text
+    };
+    Contact::new(&Scene::from_json(&text, "medium.json", &mdr::no_files)?)
+}
+
+const BALL: &str = r#"{"kind": "paraboloid", "radius": 1}"#;
+
+/// The pull-off forces and depths of MEDIA in columns: −(3 + k)/2 πwR of a ball, −3(πE*w²R/16)^(1/3) of a cylinder, and Johnson's
+/// wave at α = 0.3.
+#[test]
+fn columns_on_other_media() {
+    let pi = std::f64::consts::PI;
+    let wave = r#"{"kind": "wave", "amplitude": 1}"#;
+    let alpha = "0.44413219804902113784755209499442680108911647332584";
+    let contacts = [
+        (r#"{"kind": "graded", "exponent": "0.3", "coefficient": 1}"#, BALL, "1/100", -1.65e-2 * pi),
+        (r#"{"kind": "winkler", "modulus": 7}"#, BALL, "1/100", -2e-2 * pi),
+        (r#"{"kind": "plane"}"#, BALL, "1/100", -0.080_934_039_696_447_47),
+        (r#"{"kind": "plane", "reference": 10}"#, BALL, "1/100", -0.080_934_039_696_447_47),
+        (r#"{"kind": "periodic", "wavelength": 1}"#, wave, alpha, -0.301_417_048_312_055_9),
+    ];
+    let (stop, load) = (Stop::default(), Control::Force);
+    for (medium, profile, work, expected) in contacts {
+        let contact = on_medium(medium, profile, work).expect(medium);
+        let fold = &contact.folds(&load, &stop).expect(medium)[0];
+        assert!((fold.force / expected - 1.0).abs() < 1e-11, "{medium} {} {expected}", fold.force);
+        let values = [1.5 * expected, 0.5 * expected, 0.0];
+        let states = contact.states(&load, &values, Choice::Largest, &stop).expect(medium);
+        assert_eq!(states.status, [Status::NoEquilibrium, Status::Ok, Status::Ok], "{medium}");
+        // The state of the curve at that radius, by which a half-width is not taken for a size.
+        let again = contact.curve(&states.contact_radius[1..], &stop).expect(medium);
+        for (force, value) in again.force.iter().zip(&values[1..]) {
+            assert!((force - value).abs() < 1e-9 * expected.abs(), "{medium}");
+        }
+        let both = contact.equilibria(&load, &values[1..2], &stop).expect(medium);
+        assert!(both.contact_radius.contains(&states.contact_radius[1]) && both.admissible[0], "{medium}");
+        let pulled = contact.pull_off(&load, &stop).expect(medium);
+        assert!((pulled.contact_radius / fold.contact_radius - 1.0).abs() < 1e-6, "{medium}");
+        let pressures =
+            contact.field(mdr::answer::Field::Pressure, states.contact_radius[1], &[0.0], &stop).expect(medium);
+        assert!(pressures[0].is_finite(), "{medium}");
+        let history = contact.follow(&load, &values[1..], &Start::Largest, &stop).expect(medium);
+        same(&history.states.contact_radius, &states.contact_radius[1..]);
+    }
+}
+
+/// A line contact without a reference has no depth: not 0, but NaN, and as a control it is refused.
+#[test]
+fn a_line_contact_without_a_reference_has_no_depths() {
+    let line = on_medium(r#"{"kind": "plane"}"#, BALL, "1/100").expect("a contact");
+    let stop = Stop::default();
+    let states = line.states(&Control::Force, &[0.0], Choice::Largest, &stop).expect("states");
+    assert!(states.indentation[0].is_nan() && states.contact_radius[0] > 0.0);
+    let why = line.states(&Control::Indentation, &[0.0], Choice::Largest, &stop).expect_err("no depth").to_string();
+    assert!(why.contains("reference"), "{why}");
+    let why = on_medium(r#"{"kind": "periodic", "wavelength": 1}"#, BALL, "1").err().expect("no period").to_string();
+    assert!(why.contains("not periodic"), "{why}");
+}

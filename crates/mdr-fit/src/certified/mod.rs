@@ -113,6 +113,8 @@ fn possible(objective: &Objective<'_>, minimum: &Minimum) -> std::result::Result
         "with the place of the pull-off as a datum"
     } else if (0..fitted.len()).any(|place| objective.at_bound(place, fitted[place])) {
         "of a number at its bound"
+    } else if !problem.medium.is_half_space() {
+        "on another medium than a half-space"
     } else if !matches!(problem.profile, Profile::Shape(_)) {
         "of a profile that is no shape of the library"
     } else {
@@ -181,7 +183,7 @@ impl<'a> Proof<'a> {
         for seed in 0..count {
             let numbers = self.numbers(fitted, seed);
             let free = self.objective.free_of_profile();
-            let tip = Tip::new(&problem.profile, self.precision, &numbers.profile, &free)?;
+            let tip = Tip::new(problem, self.precision, &numbers.profile, &free)?;
             let contact = Contact::new(&tip, numbers, problem.observation);
             let kinds: Vec<Kind> = (0..count).map(|place| self.objective.kind(place)).collect();
             for row in &self.rows {

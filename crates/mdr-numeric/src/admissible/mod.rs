@@ -182,6 +182,11 @@ impl Admissibility {
         }
     }
 
+    /// Whether anything is known of a state.
+    pub fn is_known(&self) -> bool {
+        self.unknown.is_none()
+    }
+
     /// Whether a contact of radius a at the indentation d is admissible, in equilibrium or not.
     pub fn of(&self, a: f64, d: f64) -> Verdict {
         if let Some(why) = self.unknown {

@@ -42,7 +42,12 @@ impl<R: Special> Fields<R> {
             _ => r.clone(),
         };
         if !(*r > a && r.is_finite() && *r <= end) {
-            return Err(Error::domain(Quantity::Radius, r, "finite and outside the contact, within half of a period"));
+            let requirement = if medium.period().is_some() {
+                "outside the contact, and within half of a period"
+            } else {
+                "finite and outside the contact"
+            };
+            return Err(Error::domain(Quantity::Radius, r, requirement));
         }
         let g = |x: &R| self.curve.transform().g_within(x, &self.negligible_here());
         match medium {
@@ -69,10 +74,8 @@ impl<R: Special> Fields<R> {
     pub(super) fn displacement_on_medium(&self, r: &R) -> Result<Option<Estimate<R>>> {
         let a = match self.curve.medium() {
             Medium::Graded { .. } | Medium::Winkler { .. } => self.outside(r)?,
-            Medium::Plane { .. } | Medium::Periodic { .. } => {
-                let requirement = "left out: on this medium displacements are not available, take the gap";
-                return Err(Error::domain(Quantity::Radius, r, requirement));
-            }
+            Medium::Plane { .. } => return self.line_displacement(r).map(Some),
+            Medium::Periodic { wavelength, .. } => return self.periodic_displacement(wavelength, r).map(Some),
             _ => return Ok(None),
         };
         let Medium::Graded { exponent, .. } = self.curve.medium() else {
@@ -130,6 +133,44 @@ impl<R: Special> Fields<R> {
         })?;
         let edge = crate::medium::arcosh_ratio(r, b) * self.edge_load();
         Ok(minus(bulk, -edge).scaled(&(r.lit(2) / r.pi())))
+    }
+
+    /// d − (2/π)[∫₀ᵇ arcosh(x/c) N'(c) dc − arcosh(x/b)(S/E*)Δl] outside a line contact, against its reference: a flat punch of
+    /// half-width c moves the surface at x by (2/πE*)(arcosh(L/c) − arcosh(x/c)) times its load.
+    fn line_displacement(&self, r: &R) -> Result<Estimate<R>> {
+        let b = self.outside(r)?;
+        let medium = self.curve.medium();
+        let Some(reference) = medium.outer_size() else {
+            let requirement = "left out: without a reference a line contact has no displacements, only gaps";
+            return Err(Error::domain(Quantity::Radius, r, requirement));
+        };
+        if *r > *reference {
+            return Err(Error::domain(Quantity::Radius, r, "at most the reference distance"));
+        }
+        let bulk = tanh_sinh_pieces(&r.lit(0), b, &self.kinks(&r.lit(0), b), tolerance(r), |c| {
+            let c = self.off_axis(c.clone());
+            Ok(crate::medium::arcosh_ratio(r, &c) * self.load_slope(&c)?)
+        })?;
+        let edge = crate::medium::arcosh_ratio(r, b) * self.edge_load();
+        Ok(from(&self.indentation, minus(bulk, edge).scaled(&(r.lit(2) / r.pi()))))
+    }
+
+    /// d − (2λ/π)[∫ F₀' arcosh(sinX/√s) ds/s' − SΔl arcosh(sinX/√s)]/E* beside a strip, against the mean plane.
+    fn periodic_displacement(&self, wavelength: &R, r: &R) -> Result<Estimate<R>> {
+        let a = self.curve.medium().contact_radius(&self.contact_radius);
+        if !(*r > a && r.clone().times(2) <= *wavelength) {
+            return Err(Error::domain(Quantity::Radius, r, "outside the contact, and within half of a period"));
+        }
+        let sine = crate::medium::phase(r, wavelength).sin();
+        let closed = self.closed(wavelength).sqrt();
+        let bulk = tanh_sinh_pieces(&r.lit(0), &closed, &[], tolerance(r), |root| {
+            let root = root.greater(&(r.unit_roundoff().square() * &closed));
+            let open = (root.lit(1) - &root) * (root.lit(1) + &root);
+            let load = self.load_per_share(wavelength, &root.square(), &open)? * &root;
+            Ok((load * crate::medium::arcosh_ratio(&sine, &root.lesser(&sine))).times(2))
+        })?;
+        let edge = crate::medium::arcosh_ratio(&sine, &closed.lesser(&sine)) * self.edge_load();
+        Ok(from(&self.indentation, minus(bulk, edge).scaled(&(wavelength.clone().times(2) / r.pi()))))
     }
 
     /// cos X[∫ F₀'/√(s − sin²X) ds/s' − SΔl/√(s − sin²X)] of a strip in each period, with X = πx/λ and s = sin²(πa/λ).
@@ -200,6 +241,11 @@ fn inverse_factor<R: Special>(exponent: &R) -> R {
 /// An integral less an exact number.
 fn minus<R: Special>(integral: Estimate<R>, number: R) -> Estimate<R> {
     Estimate { value: integral.value - number, ..integral }
+}
+
+/// A number less an integral.
+fn from<R: Special>(number: &R, integral: Estimate<R>) -> Estimate<R> {
+    Estimate { value: number.clone() - integral.value, ..integral }
 }
 
 fn tolerance<R: Special>(like: &R) -> Tolerance<R> {

@@ -1,5 +1,6 @@
 //! Sizes of contacts, and functions of them.
 
+use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Real, Special};
 
 use super::Medium;
@@ -10,6 +11,26 @@ impl<R: Special> Medium<R> {
         match self {
             Medium::Periodic { wavelength, .. } => phase(size, wavelength).atan() * wavelength / size.pi(),
             _ => size.clone(),
+        }
+    }
+
+    /// The size of a contact with this contact radius or half-width, in m, if there is one.
+    ///
+    /// ```
+    /// use mdr_numeric::medium::Medium;
+    /// let waves = Medium::periodic(1e6, 1e-3)?;
+    /// assert!(waves.size_within(&0.4e-3).is_ok() && waves.size_within(&0.5e-3).is_err());
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Domain`] for half of a period and more.
+    pub fn size_within(&self, contact_radius: &R) -> Result<R> {
+        match self {
+            Medium::Periodic { wavelength, .. } if !(contact_radius.clone().times(2) < *wavelength) => {
+                Err(Error::domain(Quantity::ContactRadius, contact_radius, "smaller than half of the wavelength"))
+            }
+            _ => Ok(self.size(contact_radius)),
         }
     }
 

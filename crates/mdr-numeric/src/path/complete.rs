@@ -7,15 +7,11 @@ use mdr_core::number::Real;
 use super::ContactState;
 use super::energy::{Dissipation, EnergyIntegrals, ROUNDINGS, spring_energy};
 use crate::energy::{Complete, Energy};
-use crate::medium::Medium;
 
 impl<R: Real> EnergyIntegrals<'_, R> {
     /// The complete contact of a periodic medium.
     pub(super) fn complete(&self) -> Result<Option<Complete<R>>> {
-        match self.curve.medium() {
-            Medium::Periodic { wavelength, .. } => Complete::of(self.curve, wavelength).map(Some),
-            _ => Ok(None),
-        }
+        self.curve.medium().period().map(|wavelength| Complete::of(self.curve, wavelength)).transpose()
     }
 
     /// The work of a dead load in the jump to complete contact, and the energy lost in it.

@@ -20,7 +20,6 @@ use crate::branch::EquilibriumBranches;
 use crate::contact::{Contact, log10_of_product, negligible};
 use crate::energy::Energy;
 use crate::equilibrium::SearchedBranches;
-use crate::medium::Medium;
 
 /// The energy dissipated in an event.
 #[derive(Clone, Debug, PartialEq)]
@@ -235,14 +234,14 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
             return Ok(self.none());
         }
         if from == from.lit(0) || to == to.lit(0) {
-            match self.curve.medium() {
-                Medium::Periodic { .. } => return self.difference(before, after, value),
-                Medium::Plane { reference: Some(_), .. } => {
-                    let requirement =
-                        "left out: against a reference it is not available for a line contact that opens or closes";
-                    return Err(Error::domain(Quantity::Parameter("the energy lost"), value, requirement));
-                }
-                _ => {}
+            let medium = self.curve.medium();
+            if medium.period().is_some() {
+                return self.difference(before, after, value);
+            }
+            if medium.outer_size().is_some() {
+                let requirement =
+                    "left out: against a reference it is not available for a line contact that opens or closes";
+                return Err(Error::domain(Quantity::Parameter("the energy lost"), value, requirement));
             }
         }
         // In units of Δl at the larger end: the product of two small lengths may underflow where the energy does not.
@@ -345,10 +344,10 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
             ContactState::Contact(_) | ContactState::Detached => return Ok(Some(self.none())),
             ContactState::Complete => return Ok(None),
         };
-        if let Medium::Plane { .. } = self.curve.medium() {
+        if !self.curve.medium().has_energy() {
             return Ok(None);
         }
-        if let Medium::Periodic { .. } = self.curve.medium() {
+        if self.curve.medium().period().is_some() {
             return self.total(state, None).map(Some);
         }
         let a = &rest.contact_radius;

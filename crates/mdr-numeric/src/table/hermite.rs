@@ -162,7 +162,7 @@ mod tests {
             let points: Vec<_> = [(0.0, 0.0), (0.09, 0.0033), (0.18, 0.0225), (0.27, 0.0806)]
                 .map(|(r, f): (f64, f64)| (r * scale, f * scale))
                 .to_vec();
-            pieces(&points).expect("rows of a profile")[0].slope.0.clone()
+            pieces(&points).expect("rows of a profile")[0].slope.0
         };
         for i in 0..200 {
             let [first, curvature, third] = curvatures(1.37f64.powi(i - 100));

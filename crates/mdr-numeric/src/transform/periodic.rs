@@ -62,14 +62,18 @@ impl<R: Special, P: Profile<R>> Periodic<R, P> {
             let height = profile.height(&x);
             let mirrored = [wavelength.clone() - &x, wavelength.clone() + &x].map(|x| profile.height(&x) - &height);
             if mirrored.iter().any(|change| !(change.abs() <= tolerance)) {
-                let requirement =
-                    "the period of an even profile, f(λ − x) = f(λ + x) = f(x): this profile is not periodic with it";
+                let requirement = "the period of an even profile, f(λ − x) = f(λ + x) = f(x): this profile is not periodic with it; take \
+                     its own period, or kind = \"wave\"";
                 return Err(Error::domain(WAVELENGTH, &wavelength, requirement));
             }
             if !(profile.height(&Dual::variable(x.clone())).slope >= x.lit(0)) {
-                let requirement = "half of a period over which the profile rises: here it falls, and there may be more than one \
-                                   contact in a period";
-                return Err(Error::domain(Quantity::Radius, &x, requirement));
+                let requirement = "beyond half of the wavelength, or there may be more than one contact in a period: take the \
+                                   period of one contact, or kind = \"wave\"";
+                return Err(Error::domain(
+                    Quantity::Parameter("the first radius at which the profile falls"),
+                    &x,
+                    requirement,
+                ));
             }
         }
         let mut kinks = profile.kinks();

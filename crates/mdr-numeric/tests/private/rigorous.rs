@@ -53,9 +53,9 @@ fn integrals(bits: u32) -> [Interval; 2] {
 #[test]
 fn a_dropped_remainder_is_caught_at_few_bits() {
     let [truth, _] = integrals(200);
-    for bits in [8, 12, 16, 20, 24] {
+    for bits in [16, 20, 24] {
         let [whole, dropped] = integrals(bits);
         assert!(whole.overlaps(&truth), "{bits} bits: {whole} without {truth}");
-        assert!(bits < 16 || !dropped.overlaps(&truth), "{bits} bits: {dropped} holds {truth}");
+        assert!(!dropped.overlaps(&truth), "{bits} bits: {dropped} holds {truth}");
     }
 }

@@ -11,7 +11,7 @@ State(contact_radius=5.611652890227367e-07, indentation=-1.0496882720132389e-07,
 
 from typing import Final
 
-from . import _profiles
+from . import _media, _profiles
 from ._afmformats import AfmCurve, from_afmformats
 from ._contact import Contact, Control, Machine, Start
 from ._core import CERTIFIED, PROGRAM
@@ -22,6 +22,7 @@ from ._errors import (
 )
 from ._fit import CertifiedEstimate, Estimate, Fit, Interval, fit
 from ._functions import context, critical_states, effective_modulus, jkr, kappa
+from ._media import *
 from ._numbers import Floats, Number
 from ._oracle import Answer, AnswerLike, Mark, Record, Report, judge, record, records
 from ._profiles import *
@@ -41,4 +42,4 @@ __all__ = [
     "SceneError", "UndecidedError",
     "Floats", "Number",
 ]
-__all__ += _profiles.__all__
+__all__ += _media.__all__ + _profiles.__all__

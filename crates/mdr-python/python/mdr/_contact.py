@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._numbers import Floats, Number, array, digits_of, double, exact, plain, positive, shaped
+from ._media import Medium
 from ._profiles import Files, Profile
 from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Trace
 
@@ -43,28 +44,35 @@ class Machine:
 # Differences over this relative step are exact to its square, and lose ten of the digits.
 _STEP = Fraction(1, 10**10)
 _DIGITS = 30
+# Numbers of a medium to which there is no sensitivity.
+_EXPONENTS = ("exponent", "nu", "flaw")
 
 Control: TypeAlias = Union[Literal["indentation", "force"], Machine]
 Start: TypeAlias = Literal["largest", "smallest", "detached"]
 
 
-def core_of(profile: Profile, e_star: Number, work_of_adhesion: Number) -> _core.Contact:
+def core_of(
+    profile: Profile, e_star: Number | None, work_of_adhesion: Number, medium: Medium | None = None
+) -> _core.Contact:
     """The contact in Rust."""
     files: Files = {}
-    scene = {
+    scene: dict[str, Any] = {
         "profile": profile._scene(files),
-        "material": {
-            "e_star": exact(e_star, "e_star"),
-            "work_of_adhesion": exact(work_of_adhesion, "work_of_adhesion"),
-        },
+        "material": {"work_of_adhesion": exact(work_of_adhesion, "work_of_adhesion")},
         "output": {"want": ["folds"]},
     }
+    if e_star is not None:
+        scene["material"]["e_star"] = exact(e_star, "e_star")
+    if medium is not None:
+        # By the force, which is controlled on every medium; each call names its own control.
+        scene |= {"medium": medium._scene(), "control": {"kind": "force"}}
     return _core.Contact(json.dumps(scene), files)
 
 
 @final
 class Contact:
-    """A profile in adhesive contact with a half-space; immutable, hashable, to be pickled and shared between threads.
+    """A profile in adhesive contact with an elastic medium, which is a half-space unless another one is given; immutable, hashable,
+    to be pickled and shared between threads.
 
     The keyword that carries the values names the controlled quantity: ``indentation=``, ``force=``, or ``position=`` together with
     ``stiffness=``. Where there are no values it is ``"indentation"``, ``"force"`` or a :class:`Machine`.
@@ -74,9 +82,13 @@ class Contact:
     profile : Profile
         What is pressed.
     e_star : Number
-        The effective modulus E* in Pa; of two bodies :func:`effective_modulus`.
+        The effective modulus E* in Pa; of two bodies :func:`effective_modulus`. :class:`Graded` and :class:`Winkler` media have
+        their own modulus in its place.
     work_of_adhesion : Number
         w in J/m²: the full work of separation, not half of it.
+    medium : Medium, optional
+        :class:`Graded`, :class:`Winkler`, :class:`Plane` or :class:`Periodic` instead of a half-space. Forces on the last two are
+        per length, in N/m, and per area, in Pa.
 
     Raises
     ------
@@ -93,13 +105,32 @@ class Contact:
     ['minimum']
     """
 
-    __slots__ = ("_profile", "_e_star", "_work", "_core")
+    __slots__ = ("_profile", "_e_star", "_work", "_medium", "_core")
 
-    def __init__(self, profile: Profile, *, e_star: Number, work_of_adhesion: Number) -> None:
-        positive(e_star, "e_star", "the effective modulus E*")
+    @overload
+    def __init__(self, profile: Profile, *, e_star: Number, work_of_adhesion: Number, medium: None = None) -> None: ...
+    @overload
+    def __init__(
+        self, profile: Profile, *, e_star: Number | None = None, work_of_adhesion: Number, medium: Medium
+    ) -> None: ...
+    def __init__(
+        self,
+        profile: Profile,
+        *,
+        e_star: Number | None = None,
+        work_of_adhesion: Number,
+        medium: Medium | None = None,
+    ) -> None:
+        if medium is not None and not isinstance(medium, Medium):
+            raise TypeError(f"medium: expected a Medium such as Winkler(modulus=1e9), got {type(medium).__name__}")
+        if e_star is not None:
+            positive(e_star, "e_star", "the effective modulus E*")
+        elif medium is None or not medium._own_modulus:
+            raise TypeError("e_star is missing: the effective modulus E* in Pa")
         positive(work_of_adhesion, "work_of_adhesion", "the work of adhesion w")
-        self._profile, self._e_star, self._work = profile, plain(e_star), plain(work_of_adhesion)
-        self._core = core_of(profile, e_star, work_of_adhesion)
+        self._profile, self._work, self._medium = profile, plain(work_of_adhesion), medium
+        self._e_star = None if e_star is None else plain(e_star)
+        self._core = core_of(profile, e_star, work_of_adhesion, medium)
 
     @property
     def profile(self) -> Profile:
@@ -107,8 +138,8 @@ class Contact:
         return self._profile
 
     @property
-    def e_star(self) -> Number:
-        """E* in Pa, as given."""
+    def e_star(self) -> Number | None:
+        """E* in Pa, as given; None on a medium that has its own modulus."""
         return self._e_star
 
     @property
@@ -116,17 +147,28 @@ class Contact:
         """w in J/m², as given."""
         return self._work
 
+    @property
+    def medium(self) -> Medium | None:
+        """What it is pressed into; None for a homogeneous half-space."""
+        return self._medium
+
+    def _material(self) -> dict[str, Number]:
+        """The table ``[material]`` of a scene."""
+        modulus = {} if self._e_star is None else {"e_star": self._e_star}
+        return modulus | {"work_of_adhesion": self._work}
+
     def __reduce__(self) -> tuple[Any, ...]:
-        return _contact, (self._profile, self._e_star, self._work)
+        return _contact, (self._profile, self._e_star, self._work, self._medium)
 
     def __repr__(self) -> str:
-        return f"Contact({self._profile!r}, e_star={self._e_star!r}, work_of_adhesion={self._work!r})"
+        named: dict[str, Any] = self._material() | ({} if self._medium is None else {"medium": self._medium})
+        return f"Contact({self._profile!r}, {', '.join(f'{name}={value!r}' for name, value in named.items())})"
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Contact) and self.__reduce__() == other.__reduce__()
 
     def __hash__(self) -> int:
-        return hash((self._profile, self._e_star, self._work))
+        return hash((self._profile, self._e_star, self._work, self._medium))
 
     @overload
     def critical(self, control: Control, *, digits: None = None) -> State[float]: ...
@@ -253,7 +295,8 @@ class Contact:
         """How the critical state depends on each input: d ln(result)/d ln(input), to about twelve digits.
 
         An error of 1 % in an input moves a result by so many percent. Central differences of certified digits, so that
-        nothing cancels; an integer exponent n has none. NaN for a result that is 0.
+        nothing cancels; an integer exponent n has none, and k, Poisson's ratio and the flaw of a medium are left out. Other numbers of a medium
+        are called ``medium.coefficient`` and so on. NaN for a result that is 0.
 
         Raises
         ------
@@ -274,14 +317,24 @@ class Contact:
         inputs: dict[str, Number] = {name: value for name, value in self._profile.parameters.items() if name != "n"}
         if not inputs or set(self._profile.parameters) != {field.name for field in dataclasses.fields(self._profile)}:
             raise TypeError(f"no sensitivity to the parameters of {self._profile!r}")
-        inputs |= {"e_star": self._e_star, "work_of_adhesion": self._work}
+        inputs |= self._material()
+        of_medium = [] if self._medium is None else [name for name in self._medium.parameters if name not in _EXPONENTS]
+        inputs |= {f"medium.{name}": self._medium.parameters[name] for name in of_medium if self._medium is not None}
         if stiffness is not None:
             inputs["stiffness"] = stiffness
 
+        def stated(name: str) -> str:
+            """A number without its unit."""
+            own = name.removeprefix("medium.")
+            if self._medium is None or own == name:
+                return exact(inputs[name], name)
+            return str(self._medium._scene()[own])
+
         def state(name: str, factor: Fraction) -> State[Decimal]:
-            values = inputs | {name: Fraction(exact(inputs[name], name)) * factor}
+            values = inputs | {name: Fraction(stated(name)) * factor}
             shape = dataclasses.replace(self._profile, **{key: values[key] for key in self._profile.parameters if key != "n"})
-            contact = Contact(shape, e_star=values["e_star"], work_of_adhesion=values["work_of_adhesion"])
+            medium = self._medium and dataclasses.replace(self._medium, **{key: values[f"medium.{key}"] for key in of_medium})
+            contact = _contact(shape, values.get("e_star"), values["work_of_adhesion"], medium)
             return contact.critical(Machine(values["stiffness"]) if "stiffness" in values else control, digits=_DIGITS)
 
         def slope(lower: Decimal, upper: Decimal) -> float:
@@ -517,16 +570,15 @@ class Contact:
         held, stiffness = held_by(control)
         by: dict[str, Any] = {"kind": held} if stiffness is None else {"kind": "machine", "stiffness": stiffness}
         by |= {key: output.pop(key) for key in ("path", "start") if key in output}
-        return {
-            "material": {"e_star": self._e_star, "work_of_adhesion": self._work},
-            "profile": self._profile,
-            "control": by,
-            "output": output,
-        }
+        scene = {"material": self._material(), "profile": self._profile, "control": by, "output": output}
+        return scene if self._medium is None else scene | {"medium": self._medium}
 
 
-def _contact(profile: Profile, e_star: Number, work_of_adhesion: Number) -> Contact:
-    return Contact(profile, e_star=e_star, work_of_adhesion=work_of_adhesion)
+def _contact(profile: Profile, e_star: Number | None, work_of_adhesion: Number, medium: Medium | None = None) -> Contact:
+    if medium is None:
+        assert e_star is not None
+        return Contact(profile, e_star=e_star, work_of_adhesion=work_of_adhesion)
+    return Contact(profile, e_star=e_star, work_of_adhesion=work_of_adhesion, medium=medium)
 
 
 def held_by(control: Control) -> tuple[str, Number | None]:

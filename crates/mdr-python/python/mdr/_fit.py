@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._afmformats import from_afmformats
+from ._media import Medium
 from ._numbers import Floats, Number, digits_of, exact, row
 from ._profiles import Files, Profile
 from ._scene import Picture, _double, _numbers
@@ -168,6 +169,7 @@ def fit(
     *,
     profile: Profile,
     observation: Observation,
+    medium: Medium | None = None,
     free: Sequence[str] = ("e_star", "work_of_adhesion"),
     e_star: Number | None = None,
     work_of_adhesion: Number | None = None,
@@ -194,6 +196,9 @@ def fit(
         What was pressed. Its numbers are starts where they are free.
     observation : {"F(d)", "F(D)", "delta(D)", "d(F)", "F(a)", "a(F)"}
         What x and y are: force F, depth d, position D of a machine, deflection delta of a cantilever, contact radius a.
+    medium : Medium, optional
+        What it was pressed into; a half-space without it. ``"coefficient"`` of :class:`Graded` and ``"modulus"`` of
+        :class:`Winkler` can be free in the place of ``"e_star"``; their values are known numbers, or starts.
     free : sequence of str
         The unknowns: ``"e_star"``, ``"work_of_adhesion"``, ``"stiffness"``, ``"contact_point"`` (an offset of x),
         ``"baseline"`` (an offset of the force or the deflection), and numbers of the profile, such as ``"radius"``.
@@ -254,6 +259,8 @@ def fit(
         "data": {"observation": observation, "rows": rows},
         "fit": {"free": list(free), "loss": loss},
     }
+    if medium is not None:
+        problem["medium"] = medium._scene()
     sigma = {"x": sigma_x, "y": sigma_y}
     if given := {axis: exact(value, f"sigma_{axis}") for axis, value in sigma.items() if value is not None}:
         problem["data"]["sigma"] = given

@@ -60,11 +60,11 @@ def double(x: Number, name: str, key: str | None = None) -> float:
         return math.inf
 
 
-def positive(x: Number, name: str, quantity: str) -> None:
+def positive(x: Number, name: str, quantity: str, key: str | None = None) -> None:
     """Refuses what is not positive and finite, however small or large it is."""
     if type(x) in (float, int) and 0 < x < math.inf:  # type: ignore[operator]  # the usual case, without its text
         return
-    if not _sign(exact(x, name), name) > 0:
+    if not _sign(exact(x, name, key), name) > 0:
         raise DomainError(
             f"{quantity} must be positive and finite, got {x}", quantity, str(x), "positive and finite"
         )

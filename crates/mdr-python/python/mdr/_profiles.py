@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._errors import DomainError
+from ._media import Medium
 from ._numbers import Floats, Number, array, double, exact, plain, positive, row, shaped
 
 # How complaints call the parameters; those that are not here by their name.
@@ -249,6 +250,19 @@ class WavyParaboloid(Profile):
 
 
 @dataclass(frozen=True)
+class Wave(Profile):
+    """f = ``h*(1 - cos(2*pi*x/L))`` with the ``amplitude`` h, half of peak to valley, on a :class:`Periodic` medium, which has the
+    wavelength L (Johnson 1995)."""
+
+    kind: ClassVar[str] = "wave"
+    amplitude: Number
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        positive(self.amplitude, "amplitude", "the amplitude h")
+
+
+@dataclass(frozen=True)
 class Sum(Profile):
     """The sum of several profiles; ``one + other`` makes it.
 
@@ -414,9 +428,11 @@ def _table(csv: str, offset: Number | None, smooth: Number | None) -> Table:
 
 
 def scene_of(value: Any, files: Files, key: str = "the scene") -> Any:
-    """A scene of plain values: profiles become tables, numbers stay as typed. What is masked is refused with its key."""
+    """A scene of plain values: profiles and media become tables, numbers stay as typed. What is masked is refused with its key."""
     if isinstance(value, Profile):
         return value._scene(files)
+    if isinstance(value, Medium):
+        return value._scene()
     if isinstance(value, Mapping):
         return {str(name): scene_of(item, files, str(name)) for name, item in value.items()}
     if isinstance(value, (list, tuple)) or hasattr(value, "tolist") and getattr(value, "ndim", 0) > 0:
@@ -431,5 +447,5 @@ def scene_of(value: Any, files: Files, key: str = "the scene") -> Any:
 __all__ = [
     "Cone", "ConeParabolicCap", "ConeSphericalCap", "DisplacedParaboloid", "Ellipsoid", "EllipticalDimple",
     "Expression", "FlatPunch", "Hyperboloid", "Paraboloid", "ParabolicDimple", "PowerLaw", "Profile", "RoundedPunch",
-    "Sphere", "Sum", "Table", "TruncatedCone", "TruncatedParaboloid", "WavyParaboloid",
+    "Sphere", "Sum", "Table", "TruncatedCone", "TruncatedParaboloid", "Wave", "WavyParaboloid",
 ]

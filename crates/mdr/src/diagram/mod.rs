@@ -68,6 +68,8 @@ pub struct Diagram {
     pub effective_modulus: f64,
     /// The medium, with its stiffness at a fixed contact radius.
     medium: Medium<f64>,
+    /// The unit of forces: N, or per length N/m, or per area Pa.
+    pub force_unit: &'static str,
     /// The branches, by increasing radius; neighbours share the point of their fold.
     pub branches: Vec<Branch>,
     /// With two works of adhesion, the branches of an advancing edge: `branches` and all else are those of a receding one.
@@ -129,22 +131,63 @@ impl Scene {
         };
         if self.has_two_works() {
             return solve::drawn_between(self, REACH, |model, [advancing, receding]| {
+                let radius = radius.map(|radius| receding.curve().medium().size_within(&radius)).transpose()?;
                 let follow = || edges::follow(model, [advancing, receding], self);
                 let events = if self.path.is_empty() { Vec::new() } else { follow()?.events };
                 let mut diagram = Diagram::new(receding, &events, &values(model), radius)?;
                 let largest = diagram.samples().next_back().map(|sample| sample.contact_radius);
                 diagram.advancing = Diagram::new(advancing, &[], &[], largest)?.branches;
-                Ok(diagram)
+                Ok(diagram.by_radius(self))
             });
         }
         solve::drawn(self, REACH, |model, branches| {
             let events = if self.path.is_empty() { Vec::new() } else { follow(model, branches, self)?.events };
-            Diagram::new(branches, &events, &values(model), radius)
+            let radius = radius.map(|radius| branches.curve().medium().size_within(&radius)).transpose()?;
+            Ok(Diagram::new(branches, &events, &values(model), radius)?.by_radius(self))
         })
     }
 }
 
 impl Diagram {
+    /// The diagram by contact radii, where the sizes of contacts are others, and with the unit of its forces. A line contact
+    /// without a reference has no depths: the depth of its states is F/E*.
+    fn by_radius(mut self, scene: &Scene) -> Self {
+        self.force_unit = scene.medium.force_unit();
+        if self.medium.period().is_none() {
+            return self;
+        }
+        let medium = self.medium.clone();
+        let shown = |radius: &mut f64| *radius = medium.contact_radius(radius);
+        let branches = self.branches.iter_mut().chain(&mut self.advancing);
+        branches.flat_map(|branch| &mut branch.samples).for_each(|sample| shown(&mut sample.contact_radius));
+        self.folds.iter_mut().chain(self.wall.iter_mut().flatten()).for_each(|state| shown(&mut state.contact_radius));
+        for held in &mut self.held {
+            held.shifted.iter_mut().for_each(|[radius, _]| shown(radius));
+            held.equilibria.iter_mut().for_each(|state| shown(&mut state.contact_radius));
+        }
+        let states = self.path.iter_mut().flat_map(|event| [&mut event.before, &mut event.after]);
+        states.flatten().for_each(|state| shown(&mut state.contact_radius));
+        self
+    }
+
+    /// Δl at a contact radius within the diagram: on a half-space, where it grows as √a, from any sample; else between two.
+    pub fn elongation_at(&self, contact_radius: f64) -> f64 {
+        let root = |sample: &CurveSample| sample.elongation * (contact_radius / sample.contact_radius).sqrt();
+        if self.medium.is_half_space() {
+            return self.samples().next_back().map_or(f64::NAN, root);
+        }
+        let next = self.samples().find(|sample| sample.contact_radius >= contact_radius);
+        let last = self.samples().rfind(|sample| sample.contact_radius <= contact_radius);
+        match (last, next) {
+            (Some(last), Some(next)) if next.contact_radius > last.contact_radius => {
+                let share = (contact_radius - last.contact_radius) / (next.contact_radius - last.contact_radius);
+                last.elongation + share * (next.elongation - last.elongation)
+            }
+            (Some(only), _) | (_, Some(only)) => only.elongation,
+            (None, None) => f64::NAN,
+        }
+    }
+
     /// The points of the curve of equilibria by increasing radius; the radius of a fold comes twice, once on each branch.
     pub fn samples(&self) -> impl DoubleEndedIterator<Item = &CurveSample> {
         self.branches.iter().flat_map(|branch| &branch.samples)
@@ -175,7 +218,7 @@ impl Diagram {
     /// The state at the contact radius of an equilibrium, with the controlled quantity at `value`.
     fn out_of_equilibrium(&self, sample: &CurveSample, value: f64) -> State {
         let CurveSample { contact_radius, indentation: depth, force: rest, .. } = *sample;
-        let slope = self.medium.stiffness(&contact_radius);
+        let slope = self.medium.stiffness(&self.medium.size(&contact_radius));
         let indentation = match &self.control {
             Control::Indentation => value,
             Control::Force => depth + (value - rest) / slope,
@@ -219,6 +262,7 @@ impl Diagram {
             control: curve.control().clone(),
             effective_modulus: *curve.modulus(),
             medium: curve.medium().clone(),
+            force_unit: "N",
             branches: cut(branches, &nodes, &all),
             advancing: Vec::new(),
             wall: wall(curve, upper)?,

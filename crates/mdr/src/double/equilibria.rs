@@ -9,7 +9,7 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::SearchQuality;
 
-use super::{Choice, Contact, Equilibria, States, numbers, status_of};
+use super::{Choice, Contact, Equilibria, States, status_of};
 use crate::run::Stop;
 
 impl Contact {
@@ -24,7 +24,7 @@ impl Contact {
         if let Some(inverse) = self.inverse(control)? {
             return by_closed_form(inverse, self.has_large_branch(), control, values);
         }
-        self.branched(control, stop, true, |branches| searched(branches, values))
+        self.branched(control, stop, true, |branches| self.searched(branches, values))
     }
 
     /// All equilibria at one value by increasing radius, admissible or not, by search along every branch: as a scene in f64 is
@@ -34,7 +34,10 @@ impl Contact {
     /// A value out of its domain; a stiffness that is not positive; errors of the transform; a fold beyond the range of f64;
     /// [`Stopped`](crate::ContactError::Stopped).
     pub fn equilibria_at(&self, control: &Control<f64>, value: f64, stop: &Stop) -> Result<Vec<Equilibrium<f64>>> {
-        self.branched(control, stop, false, |branches| branches.equilibria(&value))
+        self.branched(control, stop, false, |branches| {
+            let found = branches.equilibria(&value)?.into_iter();
+            Ok(found.map(|state| self.shown_state(state)).collect())
+        })
     }
 
     /// The stable equilibrium at each value of the controlled quantity, independent of the other values.
@@ -55,7 +58,7 @@ impl Contact {
             let mut states = States::with_capacity(values.len());
             for value in values {
                 let (numbers, status) = match stable(branches, &order, value) {
-                    Ok(Some((state, status))) => (numbers(&state, control, *value), status),
+                    Ok(Some((state, status))) => (self.numbers(&state, control, *value), status),
                     Ok(None) => ([f64::NAN; 3], nothing(branches)),
                     Err(error) => ([f64::NAN; 3], status_of(error)?),
                 };
@@ -63,6 +66,39 @@ impl Contact {
             }
             Ok(states)
         })
+    }
+
+    /// All equilibria by search on each branch.
+    fn searched(&self, branches: &SearchedBranches<f64>, values: &[f64]) -> Result<Equilibria> {
+        let (len, control) = (values.len(), branches.control());
+        let count = branches.folds().len() + 1;
+        let mut stable: Vec<Option<bool>> = (0..count).map(|branch| branches.is_stable(branch)).collect();
+        let [mut contact_radius, mut indentation, mut force] = [(); 3].map(|()| vec![f64::NAN; count * len]);
+        let mut admissible = vec![false; count * len];
+        let mut statuses = Vec::with_capacity(len);
+        let admissibility = branches.admissibility();
+        let decided = admissibility.is_known() && !matches!(admissibility.basis(), Basis::Unproved { .. });
+        for (i, value) in values.iter().enumerate() {
+            let mut enter = |branch: usize, state: &Equilibrium<f64>, status: Status| {
+                let at = branch * len + i;
+                [contact_radius[at], indentation[at], force[at]] = self.numbers(state, control, *value);
+                admissible[at] = decided && status != Status::NotAdmissible;
+                stable[branch].get_or_insert(state.stability == Stability::Stable);
+            };
+            let found = control.check_value(value).and_then(|()| {
+                let mut whole = None;
+                for branch in 0..count {
+                    if let Some((state, status)) = on_branch(branches, branch, value)? {
+                        enter(branch, &state, status);
+                        whole = Some(if status == Status::Fold { status } else { whole.unwrap_or(Status::Ok) });
+                    }
+                }
+                Ok(whole.unwrap_or_else(|| nothing(branches)))
+            });
+            statuses.push(found.or_else(status_of)?);
+        }
+        let stable = stable.into_iter().map(|known| known.unwrap_or(false)).collect();
+        Ok(Equilibria { stable, contact_radius, indentation, force, admissible, status: statuses })
     }
 
     /// Whether the branch with the larger radii is the stable one of a power law: n > 1/2.
@@ -115,38 +151,6 @@ fn nothing(branches: &SearchedBranches<f64>) -> Status {
         SearchQuality::Doubtful => Status::Undecided,
         _ => Status::NoEquilibrium,
     }
-}
-
-/// All equilibria by search on each branch.
-fn searched(branches: &SearchedBranches<f64>, values: &[f64]) -> Result<Equilibria> {
-    let (len, control) = (values.len(), branches.control());
-    let count = branches.folds().len() + 1;
-    let mut stable: Vec<Option<bool>> = (0..count).map(|branch| branches.is_stable(branch)).collect();
-    let [mut contact_radius, mut indentation, mut force] = [(); 3].map(|()| vec![f64::NAN; count * len]);
-    let mut admissible = vec![false; count * len];
-    let mut statuses = Vec::with_capacity(len);
-    let decided = !matches!(branches.admissibility().basis(), Basis::Unproved { .. });
-    for (i, value) in values.iter().enumerate() {
-        let mut enter = |branch: usize, state: &Equilibrium<f64>, status: Status| {
-            let at = branch * len + i;
-            [contact_radius[at], indentation[at], force[at]] = numbers(state, control, *value);
-            admissible[at] = decided && status != Status::NotAdmissible;
-            stable[branch].get_or_insert(state.stability == Stability::Stable);
-        };
-        let found = control.check_value(value).and_then(|()| {
-            let mut whole = None;
-            for branch in 0..count {
-                if let Some((state, status)) = on_branch(branches, branch, value)? {
-                    enter(branch, &state, status);
-                    whole = Some(if status == Status::Fold { status } else { whole.unwrap_or(Status::Ok) });
-                }
-            }
-            Ok(whole.unwrap_or_else(|| nothing(branches)))
-        });
-        statuses.push(found.or_else(status_of)?);
-    }
-    let stable = stable.into_iter().map(|known| known.unwrap_or(false)).collect();
-    Ok(Equilibria { stable, contact_radius, indentation, force, admissible, status: statuses })
 }
 
 /// Values at a time, so that their intermediate results stay within the cache.

@@ -1,6 +1,6 @@
 //! The balance at the edge of a contact of any radius, in equilibrium or not, and the stability of equilibria.
 
-use mdr_core::contact::{Control, Error, Quantity, Result, Stability};
+use mdr_core::contact::{Control, Error, Result, Stability};
 
 use super::{Contact, within};
 use crate::run::Stop;
@@ -25,15 +25,15 @@ impl Contact {
     /// # Errors
     /// A value or a stiffness out of its domain; a quadrature that does not converge; [`Stopped`](crate::ContactError::Stopped).
     pub fn balance(&self, control: &Control<f64>, value: f64, radii: &[f64], stop: &Stop) -> Result<EnergyBalance> {
-        control.check()?;
+        self.check(control)?;
         control.check_value(&value)?;
         let curve = self.counted(control, stop);
         let mut balance = EnergyBalance::default();
         for a in radii {
-            let sides = Error::require_positive(Quantity::ContactRadius, *a).and_then(|a| {
+            let sides = self.size_of_contact(*a).and_then(|a| {
                 let elongation = curve.detachment_elongation(&a)?;
                 let excess = curve.direction(&a, &value)? + elongation;
-                Ok([excess, elongation, curve.transform().g(&a)? - excess])
+                Ok([excess, elongation, self.depth(curve.transform().g(&a)? - excess)])
             });
             let [excess, elongation, indentation] = match sides {
                 Err(Error::Domain { .. }) => [f64::NAN; 3],
@@ -52,11 +52,11 @@ impl Contact {
     /// # Errors
     /// A stiffness that is not positive; a quadrature that does not converge; [`Stopped`](crate::ContactError::Stopped).
     pub fn stability(&self, control: &Control<f64>, radii: &[f64], stop: &Stop) -> Result<Vec<Option<Stability>>> {
-        control.check()?;
+        self.check(control)?;
         let curve = self.counted(control, stop);
         let at = |a: &f64| {
-            let positive = Error::require_positive(Quantity::ContactRadius, *a);
-            let margin = within(positive.and_then(|a| Ok(curve.tangency(&a)? - curve.critical_ratio(&a)?)))?;
+            let margin =
+                within(self.size_of_contact(*a).and_then(|a| Ok(curve.tangency(&a)? - curve.critical_ratio(&a)?)))?;
             Ok(margin.partial_cmp(&0.0).map(|order| match order {
                 std::cmp::Ordering::Greater => Stability::Stable,
                 std::cmp::Ordering::Equal => Stability::Neutral,

@@ -5,7 +5,7 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{self, Dissipation, EventKind, Path, PathEnergy};
 
-use super::{Contact, States, numbers};
+use super::{Contact, States};
 use crate::outputs::path::{changes, is_arrival};
 use crate::run::{Stop, lack};
 
@@ -70,7 +70,7 @@ impl Contact {
             let losses = Dissipation::of_each(&path, branches);
             let mut states = States::with_capacity(values.len());
             for event in path.events.iter().filter(|event| is_arrival(event.kind)).take(values.len()) {
-                let state = State::of(&event.after, control, event.value);
+                let state = self.state_at(&event.after, control, event.value);
                 let known = !state.contact_radius.is_nan();
                 states.push(state.row(), if known { Status::Ok } else { Status::NoEquilibrium });
             }
@@ -82,7 +82,7 @@ impl Contact {
             for _ in states.status.len()..values.len() {
                 states.push([f64::NAN; 3], end);
             }
-            let mut jumps = events(&path, &losses, control)?;
+            let mut jumps = self.events(&path, &losses, control)?;
             jumps.retain(|event| !is_arrival(event.kind));
             Ok(History { states, jumps })
         })
@@ -109,8 +109,8 @@ impl Contact {
             let balance = balance.map_or(Some([f64::NAN; 3]), |balance| {
                 balance.map(|balance| [balance.work, balance.dissipated, balance.stored])
             });
-            let events = events(&path, &losses, control)?;
-            Ok(LoadingPath { curve: curve(branches, &events, between)?, events, balance })
+            let events = self.events(&path, &losses, control)?;
+            Ok(LoadingPath { curve: self.curve_between(branches, &events, between)?, events, balance })
         })
     }
 
@@ -127,15 +127,14 @@ impl Contact {
             let path = Path::follow(branches, &Start::Largest, &[0.0, 2.0 * lowest])?;
             let off = path.events.iter().rev().find(|event| event.kind == EventKind::Detached);
             let off = off.ok_or_else(|| Error::no_equilibrium(control.quantity(), &0.0))?;
-            Ok(State::of(&off.before, control, off.value))
+            Ok(self.state_at(&off.before, control, off.value))
         })
     }
-}
 
-impl State {
-    fn of(state: &path::ContactState<f64>, control: &Control<f64>, value: f64) -> Self {
+    /// A state of a path at a value, in numbers.
+    fn state_at(&self, state: &path::ContactState<f64>, control: &Control<f64>, value: f64) -> State {
         let [contact_radius, indentation, force] = match state {
-            path::ContactState::Contact(rest) => numbers(rest, control, value),
+            path::ContactState::Contact(rest) => self.numbers(rest, control, value),
             path::ContactState::Detached if *control == Control::Force => [0.0, f64::NAN, 0.0],
             path::ContactState::Detached => [0.0, value, 0.0],
             path::ContactState::Complete => [f64::NAN; 3],
@@ -143,47 +142,55 @@ impl State {
         State { contact_radius, indentation, force }
     }
 
+    /// The events with the energy lost in each.
+    fn events(
+        &self,
+        path: &Path<f64>,
+        losses: &[Result<Dissipation<f64>>],
+        control: &Control<f64>,
+    ) -> Result<Vec<Event>> {
+        let described = |(event, loss): (&path::Event<f64>, &Result<Dissipation<f64>>)| {
+            let dissipated = match loss {
+                _ if !changes(event.kind) => 0.0,
+                Ok(Dissipation::Finite(dissipated)) => dissipated.value,
+                Ok(Dissipation::Unbounded) => f64::INFINITY,
+                Err(Error::Stopped) => return Err(Error::Stopped),
+                Err(_) => f64::NAN,
+            };
+            let [before, after] = [&event.before, &event.after].map(|state| self.state_at(state, control, event.value));
+            Ok(Event { kind: event.kind, value: event.value, before, after, dissipated })
+        };
+        path.events.iter().zip(losses).map(described).collect()
+    }
+
+    /// The states of the events, and between two of them states at equal steps of the radius.
+    fn curve_between(&self, branches: &SearchedBranches<f64>, events: &[Event], between: usize) -> Result<Vec<State>> {
+        let mut states: Vec<State> = Vec::new();
+        let mut last: Option<State> = None;
+        for event in events {
+            let ends = last.map(|last| [last.contact_radius, event.before.contact_radius]);
+            if let Some([from, to]) = ends.filter(|[from, to]| *from > 0.0 && *to > 0.0 && from != to) {
+                for step in 1..=between {
+                    let radius = from + (to - from) * (step as f64 / (between + 1) as f64);
+                    // A radius at which g has no number, such as an edge, is passed by.
+                    let found = self.size(radius).and_then(|size| branches.curve().state(&size));
+                    if let Ok((indentation, force)) = lack(found)? {
+                        states.push(State { contact_radius: radius, indentation: self.depth(indentation), force });
+                    }
+                }
+            }
+            states.push(event.before);
+            if changes(event.kind) {
+                states.push(event.after);
+            }
+            last = Some(event.after);
+        }
+        Ok(states)
+    }
+}
+
+impl State {
     fn row(self) -> [f64; 3] {
         [self.contact_radius, self.indentation, self.force]
     }
-}
-
-/// The events with the energy lost in each.
-fn events(path: &Path<f64>, losses: &[Result<Dissipation<f64>>], control: &Control<f64>) -> Result<Vec<Event>> {
-    let described = |(event, loss): (&path::Event<f64>, &Result<Dissipation<f64>>)| {
-        let dissipated = match loss {
-            _ if !changes(event.kind) => 0.0,
-            Ok(Dissipation::Finite(dissipated)) => dissipated.value,
-            Ok(Dissipation::Unbounded) => f64::INFINITY,
-            Err(Error::Stopped) => return Err(Error::Stopped),
-            Err(_) => f64::NAN,
-        };
-        let [before, after] = [&event.before, &event.after].map(|state| State::of(state, control, event.value));
-        Ok(Event { kind: event.kind, value: event.value, before, after, dissipated })
-    };
-    path.events.iter().zip(losses).map(described).collect()
-}
-
-/// The states of the events, and between two of them states at equal steps of the radius.
-fn curve(branches: &SearchedBranches<f64>, events: &[Event], between: usize) -> Result<Vec<State>> {
-    let mut states: Vec<State> = Vec::new();
-    let mut last: Option<State> = None;
-    for event in events {
-        let ends = last.map(|last| [last.contact_radius, event.before.contact_radius]);
-        if let Some([from, to]) = ends.filter(|[from, to]| *from > 0.0 && *to > 0.0 && from != to) {
-            for step in 1..=between {
-                let radius = from + (to - from) * (step as f64 / (between + 1) as f64);
-                // A radius at which g has no number, such as an edge, is passed by.
-                if let Ok((indentation, force)) = lack(branches.curve().state(&radius))? {
-                    states.push(State { contact_radius: radius, indentation, force });
-                }
-            }
-        }
-        states.push(event.before);
-        if changes(event.kind) {
-            states.push(event.after);
-        }
-        last = Some(event.after);
-    }
-    Ok(states)
 }

@@ -1,5 +1,8 @@
 //! One contact in f64 at arrays of values: all equilibria, the stable ones, and histories.
 //!
+//! It may be on any medium. Contact radii are half-widths of strips, and forces are per length on a half-plane and per area on a
+//! periodic one; without a reference a line contact has no depth, and its column is NaN.
+//!
 //! Answers are columns. Where there is no state at a value its numbers are NaN and a status says why; an error concerns the
 //! whole question.
 
@@ -23,7 +26,7 @@ use mdr_numeric::folds::{self, Folds};
 
 use crate::answer::Field;
 use crate::run::Stop;
-use crate::scene::{Profile, Scene};
+use crate::scene::{Medium, Profile, Scene};
 use crate::solve;
 
 pub use held::EnergyBalance;
@@ -86,8 +89,8 @@ pub struct Contact {
     /// Its control is not used.
     contact: contact::Contact<f64>,
     profile: Profile,
-    material: Material<f64>,
-    /// n and C of a power law.
+    medium: Medium,
+    /// n and C of a power law on a half-space.
     law: Option<[f64; 2]>,
     /// Its closed forms under fixed grips and under a dead load, once they have been needed.
     inverses: [OnceLock<Inverse>; 2],
@@ -114,22 +117,14 @@ impl Contact {
             let why = "states in columns are those of one work of adhesion: give the one of the edge that is meant";
             return Err(scene.places.of("material.work_of_adhesion").refuse(why));
         }
-        if !scene.medium.is_half_space() {
-            let name = scene.medium.name();
-            let why = format!(
-                "arrays of states are available on a half-space only, got \"{name}\"; solve a scene, or its contact()"
-            );
-            return Err(scene.places.of("medium").refuse(why));
-        }
-        let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(Literal::nearest_f64);
-        let transform = Arc::from(solve::transform_in_doubles(&scene.profile)?);
-        let material = Material::new(modulus, work)?;
-        let (medium, adhesion) = ((&material).into(), (&material).into());
+        scene.check_profile_on_medium()?;
+        let contact = scene.assembled::<f64>(())?.with_control(Control::Indentation);
+        let law = scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius);
         Ok(Contact {
-            contact: contact::Contact::sharing(transform, medium, adhesion, Control::Indentation),
+            law: law.filter(|_| scene.medium.is_half_space()),
+            contact,
             profile: scene.profile.clone(),
-            material,
-            law: scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius),
+            medium: scene.medium.clone(),
             inverses: Default::default(),
             known: Mutex::default(),
         })
@@ -142,7 +137,10 @@ impl Contact {
     pub fn transform(&self, radii: &[f64], stop: &Stop) -> Result<[Vec<f64>; 3]> {
         let counted = self.counted(&Control::Indentation, stop);
         let at = |part: fn(&dyn Transform<f64>, &f64) -> Result<f64>| {
-            radii.iter().map(|x| within(part(counted.transform(), x))).collect::<Result<Vec<_>>>()
+            radii
+                .iter()
+                .map(|x| within(self.size(*x).and_then(|x| part(counted.transform(), &x))))
+                .collect::<Result<Vec<_>>>()
         };
         Ok([at(|t, x| t.g(x))?, at(|t, x| t.slope(x))?, at(|t, x| t.integral(x))?])
     }
@@ -155,9 +153,8 @@ impl Contact {
         let curve = self.counted(&Control::Indentation, stop);
         let mut states = States::with_capacity(radii.len());
         for a in radii {
-            let positive = Error::require_positive(Quantity::ContactRadius, *a);
-            match positive.and_then(|a| curve.state(&a)) {
-                Ok((d, force)) => states.push([*a, d, force], Status::Ok),
+            match self.size_of_contact(*a).and_then(|a| curve.state(&a)) {
+                Ok((d, force)) => states.push([*a, self.depth(d), force], Status::Ok),
                 Err(error) => states.push([f64::NAN; 3], status_of(error)?),
             }
         }
@@ -170,9 +167,8 @@ impl Contact {
     /// # Errors
     /// A contact radius that is not positive, or outside of the profile; a quadrature that does not converge; [`Error::Stopped`].
     pub fn field(&self, field: Field, contact_radius: f64, radii: &[f64], stop: &Stop) -> Result<Vec<f64>> {
-        let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
-        let curve = self.counted(&Control::Indentation, stop);
-        let fields = Fields::new(curve, contact_radius)?;
+        let size = self.size_of_contact(contact_radius)?;
+        let fields = Fields::new(self.counted(&Control::Indentation, stop), size)?;
         let at = |r: &f64| match field {
             Field::Pressure => fields.pressure(r),
             Field::Gap => fields.gap(r),
@@ -187,7 +183,60 @@ impl Contact {
     /// A stiffness that is not positive; a quadrature that does not converge; a fold beyond the range of f64; [`Error::Stopped`].
     pub fn folds(&self, control: &Control<f64>, stop: &Stop) -> Result<Vec<Fold<f64>>> {
         self.branched(control, stop, false, |branches| {
-            Ok(branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect())
+            let finite = branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned();
+            Ok(finite.map(|fold| self.shown(fold)).collect())
+        })
+    }
+
+    /// A state by its contact radius, and without a depth where the medium has none.
+    fn shown_state(&self, state: Equilibrium<f64>) -> Equilibrium<f64> {
+        Equilibrium {
+            contact_radius: self.contact.medium().contact_radius(&state.contact_radius),
+            indentation: self.depth(state.indentation),
+            ..state
+        }
+    }
+
+    /// A fold by its contact radius, and without a depth where the medium has none.
+    fn shown(&self, fold: Fold<f64>) -> Fold<f64> {
+        Fold {
+            contact_radius: self.contact.medium().contact_radius(&fold.contact_radius),
+            indentation: self.depth(fold.indentation),
+            ..fold
+        }
+    }
+
+    /// a, d and F of a state that was found at a value; the controlled quantity has that value.
+    fn numbers(&self, state: &Equilibrium<f64>, control: &Control<f64>, value: f64) -> [f64; 3] {
+        let state = self.shown_state(state.clone().controlled(control, value));
+        [state.contact_radius, state.indentation, state.force]
+    }
+
+    /// A depth; NaN on a medium that has none.
+    fn depth(&self, indentation: f64) -> f64 {
+        if self.contact.medium().has_depth() { indentation } else { f64::NAN }
+    }
+
+    /// The size of a contact with this contact radius; see [`contact::Contact`].
+    fn size_of_contact(&self, contact_radius: f64) -> Result<f64> {
+        self.size(Error::require_positive(Quantity::ContactRadius, contact_radius)?)
+    }
+
+    /// The size of a contact with a contact radius or half-width that is not negative.
+    fn size(&self, contact_radius: f64) -> Result<f64> {
+        self.contact.medium().size_within(&contact_radius)
+    }
+
+    /// Refuses a control by depths on a medium that has none.
+    fn check(&self, control: &Control<f64>) -> Result<()> {
+        control.check()?;
+        if *control == Control::Force || self.contact.medium().has_depth() {
+            return Ok(());
+        }
+        Err(Error::Domain {
+            quantity: Quantity::Indentation,
+            value: "that of a line contact without a reference".to_owned(),
+            requirement: "measured against a point of the surface, reference = its distance; or control the force per length",
         })
     }
 
@@ -205,7 +254,7 @@ impl Contact {
         judged: bool,
         ask: impl FnOnce(&SearchedBranches<f64>) -> Result<T>,
     ) -> Result<T> {
-        control.check()?;
+        self.check(control)?;
         let curve = self.counted(control, stop);
         let last = self.last_known().clone().filter(|last| last.control == *control);
         let known = match last {
@@ -226,7 +275,8 @@ impl Contact {
         let search = || {
             let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
             let length = branches.curve().material_length();
-            Arc::new(solve::admissibility(&self.profile, Arc::clone(self.contact.shared_transform()), length, &radii))
+            let transform = Arc::clone(self.contact.shared_transform());
+            Arc::new(solve::on_medium(&self.profile, &self.medium, transform, length, &radii))
         };
         let admissibility = Arc::clone(known.admissibility.get_or_init(search));
         ask(&branches.with_admissibility(admissibility))
@@ -248,7 +298,8 @@ impl Contact {
         if let Some(inverse) = known.get() {
             return Ok(Some(inverse));
         }
-        let inverse = Inverse::new(n, c, &self.material, control)?;
+        let material = Material::new(*self.contact.modulus(), *self.contact.adhesion().work())?;
+        let inverse = Inverse::new(n, c, &material, control)?;
         Ok(Some(known.get_or_init(|| inverse)))
     }
 }
@@ -286,10 +337,4 @@ fn status_of(error: Error) -> Result<Status> {
         Error::NoConvergence { .. } | Error::Undecided { .. } | Error::BudgetSpent { .. } => Ok(Status::Undecided),
         error => Err(error),
     }
-}
-
-/// a, d and F of a state that was found at a value; the controlled quantity has that value.
-pub(crate) fn numbers(state: &Equilibrium<f64>, control: &Control<f64>, value: f64) -> [f64; 3] {
-    let Equilibrium { contact_radius, indentation, force, .. } = state.clone().controlled(control, value);
-    [contact_radius, indentation, force]
 }

@@ -94,6 +94,15 @@ impl Medium {
         }
     }
 
+    /// The key and the unit of its modulus: `e_star`, or `coefficient` of a graded half-space and `modulus` of a foundation.
+    pub fn modulus_key(&self) -> (&'static str, SiUnit) {
+        match self {
+            Medium::Graded { .. } => ("coefficient", SiUnit::Coefficient),
+            Medium::Winkler { .. } => ("modulus", SiUnit::PascalPerMetre),
+            _ => ("e_star", SiUnit::Pascal),
+        }
+    }
+
     /// The unit of the controlled quantity.
     pub(crate) fn unit_of(&self, control: ControlKind) -> SiUnit {
         match (control, self) {
@@ -117,6 +126,33 @@ impl Medium {
         *self == Medium::HalfSpace
     }
 
+    /// The medium, or the half-space where its grading is none, k = 0.
+    #[must_use]
+    pub fn without_grading(self) -> Self {
+        match self {
+            Medium::Graded { exponent, .. } if exponent.is_zero() => Medium::HalfSpace,
+            medium => medium,
+        }
+    }
+
+    /// Whether a contact has a depth: that of a line contact is only against a reference.
+    pub fn has_depth(&self) -> bool {
+        !matches!(self, Medium::Plane { reference: None })
+    }
+
+    /// k of a graded half-space, in f64.
+    pub(crate) fn exponent_of_grade(&self) -> Option<f64> {
+        match self {
+            Medium::Graded { exponent, .. } => Some(exponent.nearest_f64()),
+            _ => None,
+        }
+    }
+
+    /// Whether it is in contact along a strip in each period.
+    pub fn is_periodic(&self) -> bool {
+        matches!(self, Medium::Periodic { .. })
+    }
+
     /// Whether its contacts are strips.
     pub(super) fn is_of_strips(&self) -> bool {
         matches!(self, Medium::Plane { .. } | Medium::Periodic { .. })
@@ -127,7 +163,11 @@ impl Medium {
         !matches!(self, Medium::Graded { .. } | Medium::Winkler { .. })
     }
 
-    pub(super) fn read(section: &Section<'_>) -> Result<Self> {
+    /// Reads a table `[medium]`.
+    ///
+    /// # Errors
+    /// A key or a number that is refused, with its place.
+    pub fn read(section: &Section<'_>) -> Result<Self> {
         let kind = section.required("kind")?;
         let names = ["half-space", "graded", "winkler", "plane", "periodic"];
         let kinds: Vec<(&'static str, usize)> = names.into_iter().zip(0..).collect();
@@ -147,7 +187,7 @@ impl Medium {
     }
 
     /// The medium, if its numbers are in their domains; a grading of k = 0 is the half-space, but for its stiffness.
-    pub(super) fn check(self, place: &dyn Fn(&'static str) -> Location) -> Result<Self> {
+    pub(crate) fn check(self, place: &dyn Fn(&'static str) -> Location) -> Result<Self> {
         match &self {
             Medium::HalfSpace => {}
             Medium::Graded { exponent, stiffness } => {
@@ -182,9 +222,12 @@ impl Medium {
             }
             Medium::Periodic { wavelength, flaw } => {
                 place("wavelength").require_positive(wavelength.clone())?;
-                if flaw.is_some() {
-                    let why = "a flaw is not available: a complete contact is taken to be ideal, and it never opens";
-                    return Err(place("flaw").refuse(why));
+                if let Some(flaw) = flaw {
+                    let flaw = place("flaw").require_positive(flaw.clone())?;
+                    if 2.0 * flaw.nearest_f64() >= wavelength.nearest_f64() {
+                        let why = "half of the width of a flaw must be less than half of the wavelength: at that there is no contact";
+                        return Err(place("flaw").refuse(why));
+                    }
                 }
             }
         }
@@ -210,7 +253,10 @@ impl Medium {
             }
             Medium::Winkler { modulus } => vec![("medium.modulus", modulus)],
             Medium::Plane { reference } => reference.iter().map(|number| ("medium.reference", number)).collect(),
-            Medium::Periodic { wavelength, .. } => vec![("medium.wavelength", wavelength)],
+            Medium::Periodic { wavelength, flaw } => {
+                let flaw = flaw.iter().map(|number| ("medium.flaw", number));
+                [("medium.wavelength", wavelength)].into_iter().chain(flaw).collect()
+            }
         }
     }
 
@@ -302,7 +348,7 @@ impl Scene {
         Ok(())
     }
 
-    fn check_profile_on_medium(&self) -> Result<()> {
+    pub(crate) fn check_profile_on_medium(&self) -> Result<()> {
         match (&self.profile, &self.medium) {
             (Profile::Wave(_), Medium::Periodic { .. }) => Ok(()),
             (Profile::Wave(_), other) => {

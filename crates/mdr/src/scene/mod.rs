@@ -5,6 +5,7 @@
     allow(dead_code, unused_imports, reason = "what reads is not called")
 )]
 
+mod contact;
 #[cfg(feature = "toml")]
 mod depth;
 mod inputs;
@@ -27,6 +28,8 @@ use crate::run::{Run, Stop};
 use crate::solve;
 use crate::validity::{self, Validity};
 
+pub use contact::SceneReal;
+pub(crate) use contact::{Formulas, by_formulas, transform_in_doubles};
 pub use measured::Measured;
 pub use medium::{Grading, Medium};
 pub(crate) use place::{Location, Places};
@@ -294,26 +297,6 @@ impl Scene {
     /// The arithmetic in which it is answered.
     pub fn answers_in(&self) -> Arithmetic {
         self.arithmetic
-    }
-
-    /// The contact in f64: profile, half-space, adhesion and control, for questions that a scene does not have.
-    ///
-    /// ```
-    /// use mdr::prelude::*;
-    /// let ball = Scene::new(Shape::Paraboloid { radius: "0.01" }, Elasticity::effective("1e6")?, "0.05")?;
-    /// let contact = ball.control(Control::Force).contact()?;
-    /// let (depth, force) = contact.state(&5e-4)?;
-    /// assert!(depth > 0.0 && force > 0.0);
-    /// # Ok::<(), mdr::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// A number that no double holds; a parameter out of its domain, with its place.
-    pub fn contact(&self) -> Result<crate::contact::Contact<f64>> {
-        self.places.require_doubles("ask for certified digits")?;
-        let counts = crate::Stop::default().counts();
-        let model = solve::model::Model::new(self, (), &counts);
-        Ok(model.map_err(|error| self.places.complaint_about_profile(error))?.contact())
     }
 
     /// Whether one of the outputs is such.

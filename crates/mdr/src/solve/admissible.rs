@@ -5,7 +5,7 @@ use std::sync::Arc;
 use mdr_core::contact::Transform;
 use mdr_numeric::admissible::{Admissibility, FirstTouch, NOT_SEARCHED, search_range};
 
-use crate::scene::{Profile, Scene};
+use crate::scene::{Medium, Profile, transform_in_doubles};
 
 /// Facts about a profile with a formula in it.
 struct Known {
@@ -14,26 +14,23 @@ struct Known {
     touch: FirstTouch,
 }
 
-/// The admissibility of states of a scene with folds at the given contact radii, for the length w/E*. On another medium than a
+/// The admissibility of states with folds at the given contact radii, for the length of the material. On another medium than a
 /// half-space it is known where g rises, as it does there for every f with a nondecreasing r f'.
-pub(crate) fn of_scene(scene: &Scene, transform: Arc<dyn Transform<f64>>, length: f64, folds: &[f64]) -> Admissibility {
-    if scene.medium.is_half_space() {
-        return admissibility(&scene.profile, transform, length, folds);
-    }
-    if transform.rises() || rises(&scene.profile) {
-        Admissibility::of_rising()
-    } else {
-        Admissibility::unknown(NOT_SEARCHED)
-    }
-}
-
-/// The admissibility of states with folds at the given contact radii, for the length w/E*.
-pub(crate) fn admissibility(
+pub(crate) fn on_medium(
     profile: &Profile,
+    medium: &Medium,
     transform: Arc<dyn Transform<f64>>,
     length: f64,
     folds: &[f64],
 ) -> Admissibility {
+    if medium.is_half_space() {
+        return admissibility(profile, transform, length, folds);
+    }
+    if transform.rises() || rises(profile) { Admissibility::of_rising() } else { Admissibility::unknown(NOT_SEARCHED) }
+}
+
+/// The admissibility of states on a half-space with folds at the given contact radii, for the length w/E*.
+fn admissibility(profile: &Profile, transform: Arc<dyn Transform<f64>>, length: f64, folds: &[f64]) -> Admissibility {
     let range = search_range(length, folds);
     if !profile.has_formula() {
         return Admissibility::new(transform, range);
@@ -77,5 +74,5 @@ fn rises(profile: &Profile) -> bool {
     if profile.has_formula() {
         return known(profile).rises;
     }
-    super::transform_in_doubles(profile).is_ok_and(|transform| transform.rises())
+    transform_in_doubles(profile).is_ok_and(|transform| transform.rises())
 }

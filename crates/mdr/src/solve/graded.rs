@@ -1,16 +1,22 @@
 //! Functions of the exponents of a profile and a graded medium, which involve the Gamma function.
 
 #[cfg(feature = "mp")]
-use mdr_core::number::{Dual, Interval};
-use mdr_core::number::{Gamma, Special};
+use mdr_core::number::Interval;
+use mdr_core::number::{Dual, Gamma, Special};
 use mdr_numeric::transform::graded_kappa;
 
-/// Functions of the exponents alone, which involve the Gamma function; over dual numbers they are constants.
-pub(crate) trait GradedReal: Special {
-    /// κ(n, k).
+/// An arithmetic with the functions of the exponents of a profile and of a graded medium that involve the Gamma function. Over dual
+/// numbers k is a constant, and over those of enclosures n as well.
+///
+/// ```
+/// use mdr::contact::GradedReal;
+/// assert_eq!(f64::kappa_of_grade(&2.0, &0.0), 2.0); // the half-space: g = x²/R of x²/2R
+/// ```
+pub trait GradedReal: Special {
+    /// κ(n, k) = Γ(1 + n/2)Γ((1 + k)/2)/Γ((n + 1 + k)/2), the factor between C rⁿ and its transform on a medium graded as zᵏ.
     fn kappa_of_grade(n: &Self, k: &Self) -> Self;
 
-    /// h_N(k, ν), see [`stiffness_of_grade`].
+    /// h_N(k, ν): the coefficient of one graded body is c = h_N E/((1 − ν²)z₀ᵏ).
     fn factor_of_grade(k: &Self, nu: &Self) -> Self;
 }
 
@@ -90,10 +96,34 @@ impl GradedReal for Interval {
 #[cfg(feature = "mp")]
 impl GradedReal for Dual<Interval> {
     fn kappa_of_grade(n: &Self, k: &Self) -> Self {
-        Dual::constant(graded_kappa(&n.value, &k.value))
+        Dual::constant(Interval::kappa_of_grade(&n.value, &k.value))
     }
 
     fn factor_of_grade(k: &Self, nu: &Self) -> Self {
-        Dual::constant(factor_of_grade(&k.value, &nu.value))
+        Dual::constant(Interval::factor_of_grade(&k.value, &nu.value))
+    }
+}
+
+#[cfg(feature = "mp")]
+impl GradedReal for Dual<Dual<Interval>> {
+    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
+        Dual::constant(Dual::kappa_of_grade(&n.value, &k.value))
+    }
+
+    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
+        Dual::constant(Dual::factor_of_grade(&k.value, &nu.value))
+    }
+}
+
+/// With the slope of n, κ'/κ = ½ψ(1 + n/2) − ½ψ((n + 1 + k)/2).
+impl GradedReal for Dual<f64> {
+    fn kappa_of_grade(n: &Self, k: &Self) -> Self {
+        let value = f64::kappa_of_grade(&n.value, &k.value);
+        let [top, bottom] = [1.0 + n.value / 2.0, (n.value + 1.0 + k.value) / 2.0].map(|x| Gamma::digamma(&x));
+        n.clone().chain(value, value * (top - bottom) / 2.0)
+    }
+
+    fn factor_of_grade(k: &Self, nu: &Self) -> Self {
+        Dual::constant(f64::factor_of_grade(&k.value, &nu.value))
     }
 }

@@ -1,21 +1,23 @@
 //! The medium of a scene in one arithmetic, and the transform of its profile there.
 
+use mdr_analytic::Kappa;
 use mdr_analytic::profiles::Sum;
-use mdr_core::contact::{Body, Error, ExpressionProfile, Quantity, Result, Transform};
+use mdr_analytic::struve::Struve;
+use mdr_core::contact::{Body, Error, Quantity, Result, Transform};
 #[cfg(feature = "mp")]
 use mdr_core::number::Interval;
-use mdr_core::number::Literal;
+use mdr_core::number::{Literal, Special};
 use mdr_numeric::medium;
 use mdr_numeric::path::EventKind;
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::{LineLoad, Periodic, Powers, Wave, Weighted};
 
-use super::model::{SceneReal, by_formulas};
+use super::graded::GradedReal;
 use crate::answer::Output;
-use crate::scene::{Formula, Grading, Medium, Profile, Scene};
+use crate::scene::{Formulas, Grading, Medium, Profile, Scene, by_formulas};
 
 /// c of a graded half-space: as given, or 1/c = z₀ᵏ Σ (1 − ν²)/(h_N E).
-fn stiffness_of_grade<R: SceneReal>(ctx: R::Ctx, k: &R, stiffness: &Grading) -> R {
+fn stiffness_of_grade<R: GradedReal>(ctx: R::Ctx, k: &R, stiffness: &Grading) -> R {
     let number = |literal: &Literal| R::from_literal(ctx, literal);
     match stiffness {
         Grading::Coefficient(c) => number(c),
@@ -35,24 +37,71 @@ fn stiffness_of_grade<R: SceneReal>(ctx: R::Ctx, k: &R, stiffness: &Grading) -> 
 ///
 /// # Errors
 /// A number out of its domain.
-pub(crate) fn medium<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<medium::Medium<R>> {
-    medium_of(scene, ctx, None)
+pub(crate) fn medium<R: GradedReal>(scene: &Scene, ctx: R::Ctx) -> Result<medium::Medium<R>> {
+    let number = |literal: &Literal| R::from_literal(ctx, literal);
+    medium_of(&scene.medium, ctx, || match &scene.medium {
+        Medium::Graded { exponent, stiffness } => stiffness_of_grade(ctx, &number(exponent), stiffness),
+        Medium::Winkler { modulus } => number(modulus),
+        _ => number(&scene.effective_modulus),
+    })
 }
 
-/// The medium with its modulus as in the scene, or with a given one.
-pub(crate) fn medium_of<R: SceneReal>(scene: &Scene, ctx: R::Ctx, given: Option<R>) -> Result<medium::Medium<R>> {
+/// The medium with a given modulus.
+///
+/// # Errors
+/// A number out of its domain.
+pub(crate) fn medium_of<R: Special>(
+    medium: &Medium,
+    ctx: R::Ctx,
+    modulus: impl FnOnce() -> R,
+) -> Result<medium::Medium<R>> {
     let number = |literal: &Literal| R::from_literal(ctx, literal);
-    let modulus = || given.clone().unwrap_or_else(|| number(&scene.effective_modulus));
-    match &scene.medium {
-        Medium::Graded { exponent, stiffness } => {
-            let exponent = number(exponent);
-            let c = given.clone().unwrap_or_else(|| stiffness_of_grade(ctx, &exponent, stiffness));
-            medium::Medium::graded(c, exponent)
-        }
-        Medium::Winkler { modulus } => medium::Medium::winkler(given.unwrap_or_else(|| number(modulus))),
+    match medium {
+        Medium::Graded { exponent, .. } => medium::Medium::graded(modulus(), number(exponent)),
+        Medium::Winkler { .. } => medium::Medium::winkler(modulus()),
         Medium::Plane { reference } => medium::Medium::plane(modulus(), reference.as_ref().map(number)),
         Medium::Periodic { wavelength, .. } => medium::Medium::periodic(modulus(), number(wavelength)),
-        _ => medium::Medium::half_space(modulus()),
+        Medium::HalfSpace => medium::Medium::half_space(modulus()),
+    }
+}
+
+impl Medium {
+    /// The modulus that the medium has itself, in one arithmetic: c of a graded half-space, K_w of a Winkler foundation. `None`
+    /// where E* of the material is the modulus.
+    ///
+    /// ```
+    /// use mdr::prelude::*;
+    /// assert_eq!(Medium::Winkler { modulus: "5".parse()? }.own_modulus::<f64>(())?, Some(5.0));
+    /// assert_eq!(Medium::HalfSpace.own_modulus::<f64>(())?, None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A number out of its domain, with its place.
+    pub fn own_modulus<R: GradedReal>(&self, ctx: R::Ctx) -> crate::Result<Option<R>> {
+        let number = |literal: &Literal| R::from_literal(ctx, literal);
+        let medium = self.clone().check(&|key| crate::scene::Location::built(&format!("medium.{key}")))?;
+        Ok(match &medium {
+            Medium::Graded { exponent, stiffness } => Some(stiffness_of_grade(ctx, &number(exponent), stiffness)),
+            Medium::Winkler { modulus } => Some(number(modulus)),
+            _ => None,
+        })
+    }
+
+    /// The medium with its modulus in one arithmetic: E*, c of a graded half-space, K_w of a Winkler foundation, in place of the
+    /// one it was given.
+    ///
+    /// ```
+    /// use mdr::prelude::*;
+    /// let springs = Medium::Winkler { modulus: "1".parse()? }.of_modulus((), 5.0)?;
+    /// assert!((springs.stiffness(&1.0) / (5.0 * std::f64::consts::PI) - 1.0).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A number out of its domain.
+    pub fn of_modulus<R: Special>(&self, ctx: R::Ctx, modulus: R) -> Result<medium::Medium<R>> {
+        medium_of(self, ctx, || modulus)
     }
 }
 
@@ -78,7 +127,7 @@ impl Scene {
         match &self.medium {
             medium if medium.is_half_space() => self.profile.is_closed(),
             Medium::Periodic { .. } => matches!(self.profile, Profile::Wave(_)),
-            _ => powers::<f64>(&self.profile, ()).is_some(),
+            _ => is_of_powers(&self.profile),
         }
     }
 
@@ -109,78 +158,81 @@ impl Scene {
 }
 
 /// A profile as a sum of powers C rⁿ: n and C of each; `None` for another profile.
-fn powers<R: SceneReal>(profile: &Profile, ctx: R::Ctx) -> Option<Vec<[R; 2]>> {
+fn powers<R: Special>(profile: &Profile, number: &mut dyn FnMut(&Literal) -> R) -> Option<Vec<[R; 2]>> {
     match profile {
-        Profile::Shape(shape) => shape.map(|_, literal| R::from_literal(ctx, literal)).powers(),
+        Profile::Shape(shape) => shape.map(|_, literal| number(literal)).powers(),
         Profile::Sum(terms) => {
-            let terms: Option<Vec<_>> = terms.iter().map(|term| powers::<R>(term, ctx)).collect();
+            let terms: Option<Vec<_>> = terms.iter().map(|term| powers::<R>(term, number)).collect();
             Some(terms?.concat())
         }
         _ => None,
     }
 }
 
-/// The transform of the profile of a scene on its medium. A quadrature takes a relative error that is `accepted` where it cannot
-/// have the digits of the arithmetic.
+/// Whether a profile is a sum of powers.
+fn is_of_powers(profile: &Profile) -> bool {
+    powers(profile, &mut Literal::nearest_f64).is_some()
+}
+
+/// The transform of a profile on a medium. `number` gets the numbers of the profile in the order of [`Profile::numbers`]. A
+/// quadrature takes a relative error that is `accepted` where it cannot have the digits of the arithmetic; `formulas` has the
+/// transforms of formulas on a half-space that are better than a quadrature.
 ///
 /// # Errors
 /// A parameter out of the domain of the profile; a profile that the medium has no transform of.
-pub(crate) fn transform<R: SceneReal>(scene: &Scene, ctx: R::Ctx) -> Result<Box<dyn Transform<R>>> {
-    let accepted = R::accepted(scene, ctx);
-    let number = |literal: &Literal| R::from_literal(ctx, literal);
-    let of_medium = match &scene.medium {
+pub(crate) fn transform<R: Struve + Kappa + GradedReal>(
+    profile: &Profile,
+    medium: &Medium,
+    ctx: R::Ctx,
+    number: &mut dyn FnMut(&Literal) -> R,
+    accepted: Option<&R>,
+    formulas: Formulas<'_, R>,
+) -> Result<Box<dyn Transform<R>>> {
+    let of_medium = |literal: &Literal| R::from_literal(ctx, literal);
+    let (weight, reference) = match medium {
+        Medium::HalfSpace => return by_formulas(profile, ctx, number, accepted, formulas),
         Medium::Periodic { wavelength, .. } => {
-            return periodic(&scene.profile, ctx, number(wavelength), accepted);
+            return periodic(profile, ctx, number, of_medium(wavelength), accepted);
         }
-        Medium::Graded { exponent, .. } => OfMedium::Graded(number(exponent)),
-        Medium::Winkler { .. } => OfMedium::Winkler,
-        Medium::Plane { .. } => OfMedium::Line,
-        _ => {
-            let formulas = &|formula: &Formula| R::of_formula(formula, ctx);
-            return by_formulas(&scene.profile, ctx, &mut |literal| number(literal), accepted.as_ref(), formulas);
-        }
+        Medium::Graded { exponent, .. } => (OfMedium::Graded(of_medium(exponent)), None),
+        Medium::Winkler { .. } => (OfMedium::Winkler, None),
+        Medium::Plane { reference } => (OfMedium::Line, reference.as_ref().map(of_medium)),
     };
-    let reference = match &scene.medium {
-        Medium::Plane { reference } => reference.as_ref().map(number),
-        _ => None,
-    };
-    if let Some(terms) = powers::<R>(&scene.profile, ctx) {
-        let sum = Powers::new(terms.into_iter().map(|[n, c]| of_medium.power(n, c)))?;
-        return Ok(match of_medium {
+    if is_of_powers(profile)
+        && let Some(terms) = powers(profile, number)
+    {
+        let sum = Powers::new(terms.into_iter().map(|[n, c]| weight.power(n, c)))?;
+        return Ok(match weight {
             OfMedium::Line => Box::new(LineLoad::of_powers(sum, reference)),
             _ => Box::new(sum),
         });
     }
-    let whole = quadrature(&scene.profile, ctx, &of_medium, accepted.as_ref())?;
-    Ok(match of_medium {
+    let whole = quadrature(profile, ctx, number, &weight, accepted)?;
+    Ok(match weight {
         OfMedium::Line => Box::new(LineLoad::new(whole, reference)),
         _ => whole,
     })
 }
 
 /// The transform of a wave, or by quadrature of a periodic formula.
-fn periodic<R: SceneReal>(
+fn periodic<R: Special>(
     profile: &Profile,
     ctx: R::Ctx,
+    number: &mut dyn FnMut(&Literal) -> R,
     wavelength: R,
-    accepted: Option<R>,
+    accepted: Option<&R>,
 ) -> Result<Box<dyn Transform<R>>> {
     match profile {
-        Profile::Wave(amplitude) => Ok(Box::new(Wave::new(R::from_literal(ctx, amplitude), wavelength)?)),
+        Profile::Wave(amplitude) => Ok(Box::new(Wave::new(number(amplitude), wavelength)?)),
         Profile::Formula(formula) => {
-            let quadrature = Periodic::new(bound::<R>(formula, ctx)?, wavelength)?;
+            let quadrature = Periodic::new(formula.bound::<R>(ctx, number)?, wavelength)?;
             Ok(Box::new(match accepted {
-                Some(error) => quadrature.accepting(error),
+                Some(error) => quadrature.accepting(error.clone()),
                 None => quadrature,
             }))
         }
         _ => Err(not_available("a periodic medium")),
     }
-}
-
-/// A formula with the numbers of the scene in one arithmetic.
-fn bound<R: SceneReal>(formula: &Formula, ctx: R::Ctx) -> Result<ExpressionProfile<R>> {
-    formula.bound(ctx, &mut |literal| R::from_literal(ctx, literal))
 }
 
 /// What decides the transform.
@@ -190,7 +242,7 @@ enum OfMedium<R> {
     Line,
 }
 
-impl<R: SceneReal> OfMedium<R> {
+impl<R: GradedReal> OfMedium<R> {
     /// n, the factor of xⁿ in g, and the mean of g over g, of C rⁿ.
     fn power(&self, n: R, c: R) -> [R; 3] {
         match self {
@@ -232,25 +284,35 @@ impl<R: SceneReal> OfMedium<R> {
 }
 
 /// The transform by quadrature.
-fn quadrature<R: SceneReal>(
+fn quadrature<R: GradedReal + Struve>(
     profile: &Profile,
     ctx: R::Ctx,
-    medium: &OfMedium<R>,
+    number: &mut dyn FnMut(&Literal) -> R,
+    weight: &OfMedium<R>,
     accepted: Option<&R>,
 ) -> Result<Box<dyn Transform<R>>> {
     Ok(match profile {
         Profile::Shape(shape) => {
-            let heights = Heights::new([shape.map(|_, literal| R::from_literal(ctx, literal))])?;
-            medium.of(heights, ctx, accepted)
+            let heights = Heights::new([shape.map(|_, literal| number(literal))])?;
+            weight.of(heights, ctx, accepted)
         }
         Profile::Sum(terms) => {
-            let terms = terms.iter().map(|term| quadrature(term, ctx, medium, accepted)).collect::<Result<_>>()?;
+            let terms =
+                terms.iter().map(|term| quadrature(term, ctx, number, weight, accepted)).collect::<Result<_>>()?;
             Box::new(Sum::new(terms))
         }
-        Profile::Formula(formula) => medium.of(bound::<R>(formula, ctx)?, ctx, accepted),
-        Profile::Table(measured) => medium.of(measured.table.profile::<R>(ctx)?, ctx, accepted),
+        Profile::Formula(formula) => weight.of(formula.bound::<R>(ctx, number)?, ctx, accepted),
+        Profile::Table(measured) => weight.of(measured.table.profile::<R>(ctx)?, ctx, accepted),
         Profile::Wave(_) => return Err(not_available("this medium")),
     })
+}
+
+/// The mean pressure at which a complete contact opens from its flaw, in Pa: that of the equilibrium with a = λ/2 − c.
+fn opening(scene: &Scene) -> Option<f64> {
+    let Medium::Periodic { wavelength, flaw: Some(flaw) } = &scene.medium else { return None };
+    let contact = scene.contact().ok()?;
+    let half_width = wavelength.nearest_f64() / 2.0 - flaw.nearest_f64();
+    contact.force(&contact.medium().size_within(&half_width).ok()?).ok()
 }
 
 /// What has to be said of the outputs on this medium.
@@ -259,14 +321,18 @@ pub(crate) fn note(scene: &Scene, outputs: &[Output]) -> Option<String> {
         Output::Path(path) => path.events.items.iter().any(|event| event.event == EventKind::CompleteContact),
         _ => false,
     };
-    match scene.medium {
+    match &scene.medium {
         Medium::Plane { reference: None } if scene.has(|kind| !kind.is_of_profile()) => Some(
             "a line contact has no depth without a reference, [medium] reference; forces are per length".to_owned(),
         ),
-        Medium::Periodic { .. } if outputs.iter().any(is_complete) => Some(
-            "a complete contact has no edge from which it could open: without a flaw it never detaches, at any tension"
+        Medium::Periodic { .. } if outputs.iter().any(is_complete) => Some(match opening(scene) {
+            Some(pressure) => format!(
+                "the complete contact opens at the flaw in its troughs when the mean pressure falls to {pressure:.6e} Pa; `curve` at \
+                 the contact radius λ/2 − c has its digits"
+            ),
+            None => "a complete contact has no edge from which it could open: without a flaw it never detaches, at any tension"
                 .to_owned(),
-        ),
+        }),
         _ => None,
     }
 }

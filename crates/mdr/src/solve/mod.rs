@@ -21,7 +21,7 @@ pub(crate) mod digits;
 mod graded;
 #[cfg(feature = "mp")]
 pub(crate) mod law_branches;
-mod media;
+pub(crate) mod media;
 pub(crate) mod model;
 #[cfg(feature = "mp")]
 pub(crate) mod out_of_range;
@@ -46,6 +46,7 @@ use std::sync::Arc;
 
 use mdr_core::contact::{self, Edge};
 use mdr_numeric::admissible::Admissibility;
+use mdr_numeric::energy::MEDIUM;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
 
@@ -64,11 +65,11 @@ use crate::outputs::room::Open;
 use crate::run::{Cost, Counts, Run, Stop};
 #[cfg(feature = "mp")]
 use crate::scene::Arithmetic;
-use crate::scene::{Medium, Scene, Start, Want};
+use crate::scene::{Scene, Start, Want};
 use crate::validity;
 
-pub(crate) use admissible::admissibility;
-pub(crate) use model::transform_in_doubles;
+pub(crate) use admissible::on_medium;
+pub use graded::GradedReal;
 pub(crate) use unused::unused;
 
 /// The answer to a scene that has been checked.
@@ -172,9 +173,6 @@ pub(crate) fn drawn<T>(
     octaves: i64,
     draw: impl FnOnce(&Model<f64>, &SearchedBranches<f64>) -> contact::Result<T>,
 ) -> Result<T> {
-    if let Medium::Periodic { .. } = scene.medium {
-        return Err(scene.places.of("medium").refuse("a drawing of a periodic contact is not available; take `curve`"));
-    }
     let counts = Stop::default().counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let (model, folds) = solver.in_doubles().map_err(|error| scene.places.complaint(error))?;
@@ -343,8 +341,17 @@ impl<'s> Solver<'s> {
                                   the contact is nearer to 1",
                 })
             }
+            contact::Error::Domain { quantity: MEDIUM, .. } => places.of("output.want").refuse(error.to_string()),
+            contact::Error::Domain { .. } if self.scene.medium.is_periodic() => places.complaint_about_profile(error),
             error => places.complaint(error),
         }
+    }
+
+    /// Whether the profile is a power on a graded half-space that is too sharp to come off, n ≤ (1 − k)/2.
+    fn is_below_threshold(&self) -> bool {
+        let order = self.scene.medium.exponent_of_grade().map(|k| (1.0 - k) / 2.0);
+        let law = self.scene.profile.power_law(mdr_core::number::Literal::nearest_f64, |radius| 0.5 / radius);
+        matches!((order, law), (Some(order), Some([n, _])) if n <= order)
     }
 
     /// Why a path cannot start at its first way point.
@@ -362,6 +369,10 @@ impl<'s> Solver<'s> {
                 });
                 format!("the path cannot start there: the surfaces are not apart at {quantity} = {first}{place}")
             }
+            _ if self.is_below_threshold() => format!(
+                "the path cannot start there: no stable equilibrium at {quantity} = {first}; of a power r^n with n at most (1 − k)/2 \
+                 a contact is stable only between 0 and the fold of {quantity}"
+            ),
             _ if apart => format!(
                 "the path cannot start there: no stable equilibrium at {quantity} = {first}; where the surfaces are apart, \
                  start = \"detached\""

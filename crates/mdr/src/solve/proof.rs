@@ -14,7 +14,6 @@ use super::certified::Certified;
 use super::model::Model;
 use super::sample;
 use crate::answer::{Completeness, Number, Value};
-use crate::scene::Medium;
 
 /// Bits in which folds are isolated; they are sharpened afterwards.
 const ISOLATION: u32 = 64;
@@ -73,12 +72,11 @@ impl FoldProof {
             _ if proved.range.1 < *upper.lower() => proved.range.1.to_string_radix_round(10, Some(10), Round::Down),
             _ => to.to_string(),
         };
-        let (from, to) = match certified.scene.pressed_into() {
-            Medium::Periodic { .. } => {
-                let radius = |size| Number::Double(enclosed.value.contact_radius(size).approx()).to_string();
-                (Some(radius(&lower)), Some(radius(&upper)))
-            }
-            _ => (Some(from.to_string()), Some(to)),
+        let (from, to) = if certified.scene.pressed_into().is_periodic() {
+            let radius = |size| Number::Double(enclosed.value.contact_radius(size).approx()).to_string();
+            (Some(radius(&lower)), Some(radius(&upper)))
+        } else {
+            (Some(from.to_string()), Some(to))
         };
         let complete = Completeness { proved: proved.is_complete(), from, to, why: reason(&proved.undecided) };
         Ok(FoldProof { proved, complete })

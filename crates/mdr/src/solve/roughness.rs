@@ -6,7 +6,6 @@ use mdr_core::contact::{Control, Material};
 use mdr_numeric::folds;
 use mdr_numeric::table::{Scatter, Table};
 
-use super::model;
 use super::search::Search;
 use crate::scene::{Measured, Profile, Scene};
 
@@ -122,7 +121,7 @@ struct Tension {
 }
 
 fn tension(scene: &Scene, length: Option<f64>, profile: &Profile) -> Option<Tension> {
-    let transform = model::transform_in_doubles(profile).ok()?;
+    let transform = crate::scene::transform_in_doubles(profile).ok()?;
     let [modulus, work] = [&scene.effective_modulus, &scene.work_of_adhesion].map(|literal| literal.nearest_f64());
     let folds = folds::folds(&Arc::new(transform), &Material::new(modulus, work).ok()?, &Control::Force).ok()?;
     let force = folds.iter().map(|fold| fold.force).min_by(f64::total_cmp)?;

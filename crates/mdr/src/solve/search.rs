@@ -60,7 +60,7 @@ impl<'s> Search<'s> {
                 folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
             let length = self.model.contact().material_length();
             let transform = Arc::clone(self.model.contact().shared_transform());
-            Arc::new(admissible::of_scene(self.scene, transform, length, &radii))
+            Arc::new(admissible::on_medium(&self.scene.profile, &self.scene.medium, transform, length, &radii))
         };
         Arc::clone(self.admissibility.get_or_init(search))
     }

@@ -13,7 +13,6 @@ use rug::Float;
 use super::{LoadingPath, PathEvent, PathNumbers, energies, events, follow, is_arrival};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise, Value};
-use crate::scene::Medium;
 use crate::solve::certified::Certified;
 use crate::solve::digits::{MOST_OF_INTEGRALS, agree, decide_from, decide_within, guarded, raised, start};
 use crate::solve::model::Model;
@@ -142,7 +141,7 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
                 record.indentation = Some(exactly(&0.into()));
             }
         }
-        if matches!(scene.pressed_into(), Medium::Plane { reference: None }) {
+        if !scene.pressed_into().has_depth() {
             events::without_depths(&mut events);
         }
         Ok(events)

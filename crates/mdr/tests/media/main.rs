@@ -2,6 +2,8 @@
 
 #![cfg(feature = "mp")]
 
+mod scans;
+
 use mdr::answer::Fold;
 use mdr::no_files;
 use mdr::prelude::*;
@@ -190,6 +192,20 @@ fn johnsons_wave_under_a_load() {
     assert_eq!(answer.force_unit, "Pa");
 }
 
+/// P = cos²(πc/λ) − α√cot(πc/λ) at a flaw of the half-width c.
+#[test]
+fn a_flaw_opens_the_complete_contact() {
+    let way = "kind = \"force\"\npath = [\"-2\", \"2\"]\nstart = \"detached\"";
+    let flawed = format!("{PERIODIC}\nflaw = \"0.05\"");
+    let want = "want = [\"path\", \"curve\"]\ncurve = { at = [\"0.45\"] }\narithmetic = \"f64\"";
+    let answer = solve(&scene(&flawed, WAVE, way, want));
+    let angle = std::f64::consts::PI * 0.05;
+    let expected = std::f64::consts::PI * (angle.cos().powi(2) - 0.3 / angle.tan().sqrt());
+    assert!(answer.notes.iter().any(|note| note.contains(&format!("{expected:.6e} Pa"))), "{:?}", answer.notes);
+    let why = complaint(&scene(&format!("{PERIODIC}\nflaw = \"0.5\""), WAVE, way, want));
+    assert!(why.starts_with("scene.toml:") && why.contains("half of the wavelength"), "{why}");
+}
+
 /// κ = 0: one fold; κ = 2: two, at the angles of MEDIA.
 #[test]
 fn johnsons_wave_by_its_approach() {
@@ -261,49 +277,50 @@ fn digits_do_not_depend_on_units() {
     });
     assert_eq!(digits(&wave.force), digits(&wide.force));
     assert_eq!(digits(&wave.contact_radius), digits(&wide.contact_radius));
-}
-
-/// Folds of d(a) and F(a) on a graded medium, against a dense scan of their closed forms for a power law.
-#[test]
-fn folds_are_the_extrema_of_a_dense_scan() {
-    let gamma = |k: f64, n: f64| mdr_numeric_kappa(n, k);
-    let mut seed = 0x2545_f491_4f6c_dd1d_u64;
-    let mut uniform = || {
-        seed ^= seed << 13;
-        seed ^= seed >> 7;
-        seed ^= seed << 17;
-        (seed >> 11) as f64 / (1_u64 << 53) as f64
-    };
-    for _ in 0..40 {
-        let (k, n) = (1.6 * uniform() - 0.8, 0.3 + 3.0 * uniform());
-        if (n - (1.0 - k) / 2.0).abs() < 0.1 {
-            continue;
-        }
-        let kappa = gamma(k, n);
-        let depth = |a: f64| kappa * a.powf(n) - (2.0 * std::f64::consts::PI * 0.01 * a.powf(1.0 - k)).sqrt();
-        let force = |a: f64| {
-            let mean = (1.0 + k) / (n + 1.0 + k) * kappa * a.powf(n);
-            2.0 * a.powf(1.0 + k) / (1.0 + k) * (depth(a) - mean)
-        };
-        let medium = format!("kind = \"graded\"\nexponent = \"{k}\"\ncoefficient = 1");
-        let profile = format!("kind = \"power\"\nn = \"{n}\"\nc = 1");
-        for (control, curve) in [(GRIPS, &depth as &dyn Fn(f64) -> f64), (LOAD, &force)] {
-            let text = scene(&medium, &profile, control, "want = [\"folds\"]\narithmetic = \"f64\"");
-            let answer = solve(&text);
-            let found = &answer.folds().expect("wanted").items;
-            assert_eq!(found.len(), 1, "{text}");
-            let a = found[0].contact_radius.to_f64().expect("a number");
-            let scan = |i: i32| curve(a * 1.01_f64.powi(i));
-            let extremum = (-2000..2000)
-                .map(scan)
-                .fold(scan(0), |best, x| if n > (1.0 - k) / 2.0 { best.min(x) } else { best.max(x) });
-            assert!((extremum - scan(0)).abs() <= 1e-12 * scan(0).abs(), "{text}: {extremum} {}", scan(0));
-        }
+    // Springs in Pa/m are divided by 10⁶ and forces multiplied by 10³; on a half-plane w and F, per length, grow as lengths do.
+    let springs = ["2e6", "2"].map(|modulus| format!("kind = \"winkler\"\nmodulus = \"{modulus}\""));
+    let planes = ["0.01", "10"].map(|reference| format!("kind = \"plane\"\nreference = \"{reference}\""));
+    for (media, control) in [(&springs, LOAD), (&planes, LOAD), (&planes, GRIPS)] {
+        let [one, other] = ["1e-3", "1"].map(|radius| {
+            let medium = &media[usize::from(radius == "1")];
+            let text = scene(medium, &ball(radius), control, "want = [\"folds\"]\ndigits = 20");
+            let work = if radius == "1" || medium.contains("winkler") { "1/100" } else { "1/100000" };
+            solve(&text.replace("1/100", work)).folds().expect("wanted").items[0].clone()
+        });
+        assert_eq!(digits(&one.force), digits(&other.force), "{control}");
+        assert_eq!(digits(&one.contact_radius), digits(&other.contact_radius), "{control}");
+        assert_eq!(digits(&one.indentation), digits(&other.indentation), "{control}");
     }
 }
 
-fn mdr_numeric_kappa(n: f64, k: f64) -> f64 {
-    mdr::contact::graded_kappa(&n, &k)
+/// u = d − f + gap: the displacement by the loads within the contact, the gap by those outside of it.
+#[test]
+fn displacements_close_the_gap() {
+    let (line, cylinder) = ("kind = \"plane\"\nreference = 10", "kind = \"paraboloid\"\nradius = 1");
+    let wave = |r: f64| 1.0 - (2.0 * std::f64::consts::PI * r).cos();
+    let cases: [(&str, &str, f64, &dyn Fn(f64) -> f64); 2] =
+        [(line, cylinder, 0.9, &|r| r * r / 2.0), (PERIODIC, WAVE, 0.498, &wave)];
+    for (medium, profile, r, height) in cases {
+        let want = format!(
+            "want = [\"gap\", \"displacement\"]\nequilibria = {{ at = [\"0.1\"] }}\ngap = {{ at = [\"{r}\"] }}\n\
+             displacement = {{ at = [\"{r}\"] }}\ndigits = 16"
+        );
+        let answer = solve(&scene(medium, profile, LOAD, &want)).to_json();
+        let answer: serde_json::Value = serde_json::from_str(&answer).expect("JSON");
+        let states = |name: &str| answer[name][0]["states"].as_array().expect("states").clone();
+        let number = |value: &serde_json::Value| value.as_str().and_then(|text| text.parse::<f64>().ok());
+        let mut seen = 0;
+        for (gap, moved) in states("gap").iter().zip(&states("displacement")) {
+            let numbers = [&gap["indentation"], &gap["gap"][0]["gap"], &moved["displacement"][0]["displacement"]];
+            let [Some(d), Some(gap), Some(moved)] = numbers.map(number) else { continue };
+            assert!((d - height(r) + gap - moved).abs() < 1e-12, "{medium}: {d} {gap} {moved}");
+            seen += 1;
+        }
+        assert!(seen > 0, "{answer}");
+    }
+    let want =
+        "want = [\"displacement\"]\nequilibria = { at = [\"0.1\"] }\ndisplacement = { at = [\"2\"] }\ndigits = 8";
+    assert!(solve(&scene("kind = \"plane\"", cylinder, LOAD, want)).to_json().contains("without a reference"));
 }
 
 /// The examples are scenes with answers.
@@ -350,6 +367,24 @@ fn complaints() {
         (scene("kind = \"plane\"", WAVE, LOAD, want), "periodic"),
         (scene(PERIODIC, SQUARE, LOAD, want), "wave"),
         (scene("kind = \"periodic\"", WAVE, LOAD, want), "wavelength"),
+        (
+            scene(PERIODIC, "kind = \"expression\"\nformula = \"1 - cos(4*pi*r)\"", LOAD, want),
+            "more than one contact in a period",
+        ),
+        (scene(PERIODIC, "kind = \"expression\"\nformula = \"r^2\"", LOAD, want), "kind = \"wave\""),
+        (
+            scene("kind = \"plane\"", SQUARE, LOAD, "want = [\"energy\"]\nequilibria = { at = [0] }"),
+            "energy of a line contact",
+        ),
+        (
+            scene(
+                "kind = \"graded\"\nexponent = \"0.3\"\ncoefficient = 1",
+                "kind = \"power\"\nn = \"0.1\"\nc = 1",
+                "kind = \"force\"\npath = [\"0\", \"1\"]",
+                "want = [\"path\"]",
+            ),
+            "(1 − k)/2",
+        ),
     ];
     for (text, part) in cases {
         let why = complaint(&text);

@@ -1,0 +1,293 @@
+//! The contact of a scene in one arithmetic: the profile transformed for its medium, the medium, the adhesion at the edge, and the
+//! control. Everything that asks for a state of a scene begins here.
+
+use std::sync::Arc;
+
+use mdr_analytic::Kappa;
+use mdr_analytic::profiles::{Sum, closed_form};
+use mdr_analytic::struve::Struve;
+use mdr_core::contact::{Control, Edge, Error, ExpressionError, ExpressionProfile, Quantity, Transform};
+#[cfg(feature = "mp")]
+use mdr_core::number::{Dual, Interval, Precision};
+use mdr_core::number::{Literal, Special};
+use mdr_numeric::contact::Contact;
+use mdr_numeric::medium::{self, Adhesion};
+use mdr_numeric::transform::Quadrature;
+#[cfg(feature = "mp")]
+use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
+
+use super::{Formula, Medium, Profile, Scene};
+use crate::solve::GradedReal;
+use crate::solve::media;
+
+type Result<T> = mdr_core::contact::Result<T>;
+
+/// An arithmetic in which the contact of a scene is assembled: `f64`, `rug::Float`, intervals, and dual numbers over intervals.
+///
+/// The transform of a formula is a quadrature in the first two and rigorous in the others.
+pub trait SceneReal: Struve + Kappa + GradedReal {
+    /// Its place among the [`ARITHMETICS`](crate::ARITHMETICS).
+    const INDEX: usize;
+
+    /// The error of a quadrature that a scene accepts, if the arithmetic has more digits than requested.
+    fn accepted(_: &Scene, _: Self::Ctx) -> Option<Self> {
+        None
+    }
+
+    /// The transform of a formula, if the arithmetic has a better one than a quadrature.
+    ///
+    /// # Errors
+    /// A name of the formula without a value.
+    fn of_formula(_: &Formula, _: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
+        None
+    }
+}
+
+impl SceneReal for f64 {
+    const INDEX: usize = 0;
+}
+
+#[cfg(feature = "mp")]
+impl SceneReal for rug::Float {
+    const INDEX: usize = 1;
+
+    fn accepted(scene: &Scene, ctx: Self::Ctx) -> Option<Self> {
+        use mdr_core::number::Real;
+        match scene.arithmetic {
+            crate::scene::Arithmetic::Certified { digits } => {
+                Some(Self::from_int(ctx, 2).powi(-crate::solve::digits::bits_of_quadratures(digits)))
+            }
+            crate::scene::Arithmetic::Double => None,
+        }
+    }
+}
+
+#[cfg(feature = "mp")]
+impl SceneReal for Interval {
+    const INDEX: usize = 2;
+
+    fn of_formula(formula: &Formula, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
+        Some(enclosed(formula, ctx).map(|transform| Box::new(transform) as Box<dyn Transform<Self>>))
+    }
+}
+
+#[cfg(feature = "mp")]
+impl SceneReal for Dual<Interval> {
+    const INDEX: usize = 3;
+
+    fn of_formula(formula: &Formula, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
+        let with_slopes = |transform| Box::new(EnclosedWithSlopes::new(transform)) as Box<dyn Transform<Self>>;
+        Some(enclosed(formula, ctx).map(with_slopes))
+    }
+}
+
+/// The transform of a formula by rigorous integrals.
+#[cfg(feature = "mp")]
+fn enclosed(formula: &Formula, ctx: Precision) -> Result<Enclosed> {
+    let enclosed = formula.expression.enclosed(&formula.parameters, &formula.breaks, ctx);
+    Ok(Enclosed::new(enclosed.map_err(unnamed)?, ctx))
+}
+
+impl Scene {
+    /// The contact in f64: profile, medium, adhesion and control, for questions that a scene does not have.
+    ///
+    /// ```
+    /// use mdr::prelude::*;
+    /// let ball = Scene::new(Shape::Paraboloid { radius: "0.01" }, Elasticity::effective("1e6")?, "0.05")?;
+    /// let contact = ball.control(Control::Force).contact()?;
+    /// let (depth, force) = contact.state(&5e-4)?;
+    /// assert!(depth > 0.0 && force > 0.0);
+    /// # Ok::<(), mdr::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A number that no double holds; a parameter out of its domain, with its place.
+    pub fn contact(&self) -> crate::Result<Contact<f64>> {
+        self.places.require_doubles("ask for certified digits")?;
+        self.contact_in(())
+    }
+
+    /// The contact in any arithmetic: f64, numbers or enclosures of a precision, dual numbers over enclosures. Sizes of a
+    /// contact on a periodic medium are not its half-widths: see [`contact_radius`](mdr_numeric::medium::Medium::contact_radius).
+    ///
+    /// ```
+    /// # #[cfg(feature = "mp")] {
+    /// use mdr::prelude::*;
+    /// use mdr_core::number::{Interval, Precision, Real};
+    /// let medium = Medium::Graded { exponent: "0.3".parse()?, stiffness: Grading::Coefficient("1".parse()?) };
+    /// let ball = Scene::new(Shape::Paraboloid { radius: "1" }, Elasticity::effective("1")?, "0.01")?.medium(medium)?;
+    /// let precision = Precision::new(200);
+    /// let contact = ball.contact_in::<Interval>(precision)?;
+    /// // All of the enclosure of the depth lies below that without adhesion.
+    /// let radius = Interval::from_f64(precision, 0.1);
+    /// assert!(contact.indentation(&radius)? < contact.transform().g(&radius)?);
+    /// # }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A parameter out of its domain, with its place.
+    pub fn contact_in<R: SceneReal>(&self, ctx: R::Ctx) -> crate::Result<Contact<R>> {
+        self.check_profile_on_medium()?;
+        self.assembled(ctx).map_err(|error| self.places.complaint_about_profile(error))
+    }
+
+    /// The contact, with an error that has no place yet.
+    ///
+    /// # Errors
+    /// A parameter out of its domain.
+    pub(crate) fn assembled<R: SceneReal>(&self, ctx: R::Ctx) -> Result<Contact<R>> {
+        let number = |literal: &Literal| R::from_literal(ctx, literal);
+        self.assembled_with(ctx, media::medium(self, ctx)?, &|_, literal| Ok(number(literal)))
+    }
+
+    /// The contact on a medium whose modulus may be another, with forces and works in its units: `number` of each.
+    ///
+    /// # Errors
+    /// A parameter out of its domain; errors of `number`.
+    pub(crate) fn assembled_with<R: SceneReal>(
+        &self,
+        ctx: R::Ctx,
+        medium: medium::Medium<R>,
+        number: &dyn Fn(Quantity, &Literal) -> Result<R>,
+    ) -> Result<Contact<R>> {
+        let adhesion = self.adhesion(|literal| number(Quantity::WorkOfAdhesion, literal))?;
+        let control: Control<R> = self.control.try_map(|stiffness| {
+            Error::require_positive(Quantity::Stiffness, number(Quantity::Stiffness, stiffness)?)
+        })?;
+        let (accepted, formulas) = (R::accepted(self, ctx), |formula: &Formula| R::of_formula(formula, ctx));
+        let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
+        let transform = media::transform(&self.profile, &self.medium, ctx, number, accepted.as_ref(), &formulas)?;
+        Ok(Contact::sharing(Arc::from(transform), medium, adhesion, control))
+    }
+
+    /// The adhesion: that of an edge, or of both, of which the receding one is considered.
+    fn adhesion<R: SceneReal>(&self, number: impl Fn(&Literal) -> Result<R>) -> Result<Adhesion<R>> {
+        match &self.works {
+            None => Adhesion::new(number(&self.work_of_adhesion)?),
+            Some(works) => {
+                let both = Adhesion::hysteretic(number(&works[0])?, number(&works[1])?)?;
+                Ok(both.at(self.edge.unwrap_or(Edge::Receding)))
+            }
+        }
+    }
+}
+
+/// A name of a formula without a value.
+fn unnamed(error: ExpressionError) -> Error {
+    Error::Domain {
+        quantity: Quantity::Parameter("the formula"),
+        value: error.to_string(),
+        requirement: "one whose names all have values",
+    }
+}
+
+/// The transforms of formulas that an arithmetic has in place of quadratures.
+pub(crate) type Formulas<'a, R> = &'a dyn Fn(&Formula) -> Option<Result<Box<dyn Transform<R>>>>;
+
+/// The transformed profile: a closed form where there is one, `formulas` of a formula where the arithmetic has it, else its
+/// quadrature, and exact pieces of a table. `number` gets its numbers in the order of [`Profile::numbers`].
+///
+/// Over intervals a quadrature has no meaning. It takes a relative error that is `accepted` where it cannot have the digits of the
+/// arithmetic.
+///
+/// # Errors
+/// A parameter out of the domain of the profile; a wave, which needs a periodic medium.
+pub(crate) fn by_formulas<R: Struve + Kappa>(
+    profile: &Profile,
+    ctx: R::Ctx,
+    number: &mut dyn FnMut(&Literal) -> R,
+    accepted: Option<&R>,
+    formulas: Formulas<'_, R>,
+) -> Result<Box<dyn Transform<R>>> {
+    Ok(match profile {
+        Profile::Shape(shape) => closed_form(shape.map(|_, literal| number(literal)))?,
+        Profile::Sum(terms) => {
+            let terms = terms.iter().map(|term| by_formulas(term, ctx, number, accepted, formulas));
+            Box::new(Sum::new(terms.collect::<Result<_>>()?))
+        }
+        Profile::Formula(formula) => {
+            if let Some(transform) = formulas(formula) {
+                return transform;
+            }
+            let quadrature = Quadrature::new(formula.bound(ctx, number)?);
+            Box::new(match accepted {
+                Some(error) => quadrature.accepting(error.clone())?,
+                None => quadrature,
+            })
+        }
+        Profile::Table(measured) => Box::new(measured.table.profile::<R>(ctx)?),
+        Profile::Wave(_) => {
+            return Err(Error::Domain {
+                quantity: Quantity::Parameter("the profile"),
+                value: "a wave".to_owned(),
+                requirement: "one that is not periodic: a wave needs [medium] kind = \"periodic\"",
+            });
+        }
+    })
+}
+
+impl Formula {
+    /// f with its numbers, which `number` takes to one arithmetic.
+    ///
+    /// # Errors
+    /// A name without a value.
+    pub(crate) fn bound<R: Special>(
+        &self,
+        ctx: R::Ctx,
+        number: &mut dyn FnMut(&Literal) -> R,
+    ) -> Result<ExpressionProfile<R>> {
+        let values = self.parameters.iter().map(|(name, literal)| (name.clone(), number(literal))).collect();
+        let bound = self.expression.bind_numbers::<R>(ctx, &values).map_err(unnamed)?;
+        #[cfg(feature = "mp")]
+        let bound = bound.broken_at(ctx, &self.breaks);
+        Ok(bound)
+    }
+}
+
+impl Profile {
+    /// The transformed profile g in one arithmetic: a closed form where there is one, quadrature for a formula, exact pieces for a
+    /// table. `number` turns its numbers into that arithmetic, in the order of [`Profile::numbers`].
+    ///
+    /// # Errors
+    /// A parameter out of the domain of the profile.
+    pub fn transform<R: Struve + Kappa>(
+        &self,
+        ctx: R::Ctx,
+        number: &mut dyn FnMut(&Literal) -> R,
+    ) -> Result<Box<dyn Transform<R>>> {
+        by_formulas(self, ctx, number, None, &|_| None)
+    }
+
+    /// The transformed profile g for a medium: that of [`Profile::transform`] on a half-space, and with the weight of the medium
+    /// on others. `number` turns the numbers of the profile into the arithmetic, in the order of [`Profile::numbers`]; those of
+    /// the medium are constants.
+    ///
+    /// ```
+    /// use mdr::prelude::*;
+    /// // g = f on a Winkler foundation.
+    /// let (ball, springs) = (Profile::Shape(Shape::Paraboloid { radius: "2".parse()? }), "1".parse()?);
+    /// let g = ball.transform_on::<f64>(&Medium::Winkler { modulus: springs }, (), &mut |number| number.nearest_f64())?;
+    /// assert!((g.g(&0.2)? - 0.01).abs() < 1e-17);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A parameter out of the domain of the profile; a profile that the medium has no transform of.
+    pub fn transform_on<R: Struve + Kappa + GradedReal>(
+        &self,
+        medium: &Medium,
+        ctx: R::Ctx,
+        number: &mut dyn FnMut(&Literal) -> R,
+    ) -> Result<Box<dyn Transform<R>>> {
+        media::transform(self, medium, ctx, number, None, &|_| None)
+    }
+}
+
+/// The transform of a profile in f64.
+///
+/// # Errors
+/// A parameter of the profile that is out of its domain.
+pub(crate) fn transform_in_doubles(profile: &Profile) -> Result<Box<dyn Transform<f64>>> {
+    profile.transform((), &mut Literal::nearest_f64)
+}
