@@ -38,6 +38,36 @@ fn what_the_data_cannot_tell_is_said_with_status_one() {
     assert!(text.contains("work_of_adhesion * radius") && text.contains("not determined"), "{text}");
 }
 
+/// Hysteresis, and rows and trends of an experiment, from the example files: the numbers that they were made from.
+#[test]
+fn what_experiments_have_is_fitted() {
+    let json = |name: &str| -> serde_json::Value {
+        serde_json::from_str(&output(&format!("fit {} --format json", example(name)))).unwrap()
+    };
+    let within = |answer: &serde_json::Value, name: &str, made: f64| {
+        let estimates = answer["parameters"].as_array().unwrap();
+        let estimate = estimates.iter().find(|estimate| estimate["name"] == name).unwrap();
+        let [value, stderr] = ["value", "stderr"].map(|key| estimate[key].as_f64().unwrap());
+        assert!(((value - made) / stderr).abs() < 4.0, "{estimate} for {made}");
+    };
+    let loops = json("hysteresis.toml");
+    assert_eq!(loops["status"], "fitted", "{}", loops["reason"]);
+    within(&loops, "e_star", 2e6);
+    within(&loops, "work_of_adhesion.advancing", 0.01);
+    within(&loops, "work_of_adhesion.receding", 0.04);
+    let drift = json("drift.toml");
+    assert_eq!(drift["status"], "fitted", "{}", drift["reason"]);
+    within(&drift, "e_star", 2e6);
+    within(&drift, "baseline_slope", 2e-3);
+    let skipped: Vec<_> =
+        drift["skipped"].as_array().unwrap().iter().map(|each| each["why"].as_str().unwrap()).collect();
+    assert_eq!(skipped, ["not a number", "saturated", "outside of x"]);
+    let table = output(&format!("fit {}", example("drift.toml")));
+    for words in ["follows, per ln", "adhesion force", "Rows left out: 3 not a number", "baseline_slope"] {
+        assert!(table.contains(words), "{words}: {table}");
+    }
+}
+
 /// Digits of another program, from the file of the fit.
 #[test]
 fn digits_are_proved_on_request() {
@@ -55,7 +85,9 @@ fn a_batch_has_rows_for_every_curve() {
     }
     let csv = output(&format!("fit {} --batch {} --format csv", example("tip.toml"), folder.display()));
     assert_eq!(csv.lines().count(), 1 + 2 * 4, "{csv}");
-    assert!(csv.starts_with("file,status,name,value,stderr,scaled_stderr,unit,chi2,chi2_p,reason,warnings\n"), "{csv}");
+    let header = "file,status,name,value,stderr,scaled_stderr,unit,chi2,chi2_p,reason,warnings,lower_limit,upper_limit,\
+                  adhesion_force,pull_off_force,separation_work\n";
+    assert!(csv.starts_with(header), "{csv}");
 }
 
 /// What is said of one curve is said of it in a batch, in every format: warnings, and why a fit is poor.
@@ -87,7 +119,7 @@ fn a_picture_shows_data_and_fit() {
     mdr(&format!("fit {} --plot {}", example("tip.toml"), svg.display())).assert().success();
     let [picture, data] = [svg.clone(), svg.with_extension("csv")].map(|file| std::fs::read_to_string(file).unwrap());
     assert!(roxmltree::Document::parse(&picture).is_ok());
-    for series in ["detached", "in contact", "fit", "predicted pull-off"] {
+    for series in ["detached", "in contact", "in contact, approach", "fit", "predicted pull-off"] {
         assert!(data.lines().any(|line| line.split(',').nth(2) == Some(series)), "{series}");
     }
 }

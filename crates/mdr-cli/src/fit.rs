@@ -170,10 +170,18 @@ fn write(fitted: &[Fitted], format: Format, out: &mut Out<impl std::io::Write>) 
                 "chi2_p",
                 "reason",
                 "warnings",
+                "lower_limit",
+                "upper_limit",
+                "adhesion_force",
+                "pull_off_force",
+                "separation_work",
             ];
             let rows = fitted.iter().flat_map(|(file, answer)| {
-                let more = remarks(answer);
-                cells(file, answer).into_iter().map(move |row| row.into_iter().chain(more.clone()).collect::<Vec<_>>())
+                let (more, quantities) = (remarks(answer), quantities_of(answer));
+                cells(file, answer).into_iter().map(move |row| {
+                    let limits = limits_of(answer, &row[2]);
+                    row.into_iter().chain(more.clone()).chain(limits).chain(quantities.clone()).collect::<Vec<_>>()
+                })
             });
             out.csv(&header, rows)
         }
@@ -236,6 +244,22 @@ fn remarks(answer: &mdr::Result<Answer>) -> [String; 4] {
     }
 }
 
+/// The limits of a number, as cells of its row.
+fn limits_of(answer: &mdr::Result<Answer>, name: &str) -> [String; 2] {
+    let limit = answer.as_ref().ok().and_then(|answer| answer.limits.iter().find(|limit| limit.name == name));
+    limit.map_or([None; 2], |limit| [limit.lower, limit.upper]).map(exact)
+}
+
+/// Adhesion force, force before the jump, and work of separation, as cells of a curve.
+fn quantities_of(answer: &mdr::Result<Answer>) -> [String; 3] {
+    ["adhesion_force", "pull_off_force", "separation_work"]
+        .map(|name| exact(answer.as_ref().ok().and_then(|answer| answer.quantity(name)).map(|quantity| quantity.value)))
+}
+
+fn exact(value: Option<f64>) -> String {
+    value.map(|value| format!("{value:.9e}")).unwrap_or_default()
+}
+
 fn for_reader(answer: &Answer) -> String {
     let mut parts = vec![answer.heading()];
     parts.push(estimates(answer));
@@ -269,6 +293,24 @@ fn for_reader(answer: &Answer) -> String {
     if answer.status.has_estimates() && answer.parameters.len() > 1 {
         parts.push(correlations(answer));
     }
+    if !answer.limits.is_empty() {
+        parts.push(text_table(&["limits", "at least", "at most", "level", "unit"], answer.limit_rows()));
+    }
+    if !answer.budget.is_empty() {
+        let (header, rows) = answer.budget_table();
+        parts.push(text_table(&header, rows));
+    }
+    if !answer.quantities.is_empty() {
+        parts.push(text_table(
+            &["quantity (pulling counts positive)", "value", "standard error", "unit"],
+            answer.quantity_rows(),
+        ));
+    }
+    if answer.legs.len() > 1 {
+        let header = ["leg", "rows", "in contact", "pinned", "mean square residual", "runs test, p"];
+        parts.push(text_table(&header, answer.leg_rows()));
+    }
+    parts.extend(answer.left_out());
     parts.extend(answer.read.iter().map(|read| read.sentence()));
     parts.push(answer.quality());
     parts.push(answer.attempts());

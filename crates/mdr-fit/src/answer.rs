@@ -108,6 +108,9 @@ pub struct FittedRow {
     pub fitted: [f64; 2],
     /// The contact radius there, in m; `None` for a detached row.
     pub contact_radius: Option<f64>,
+    /// Whether the edge of the contact is pinned there, between two works of adhesion.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "std::ops::Not::not"))]
+    pub pinned: bool,
 }
 
 /// A jump into or out of contact.
@@ -178,12 +181,92 @@ pub struct CertifiedEstimate {
     pub unique_within: f64,
 }
 
+/// A limit of a free number that the rows do not determine, or hardly tell from zero.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct FitLimit {
+    /// The name of the free number.
+    pub name: String,
+    /// The smallest value; `None` if there is no lower limit.
+    pub lower: Option<f64>,
+    /// The largest value; `None` if there is no upper limit.
+    pub upper: Option<f64>,
+    /// The level of confidence; `None` for limits that follow from where rows lie.
+    pub level: Option<f64>,
+    /// The unit of the limits.
+    pub unit: &'static str,
+}
+
+/// How an estimate follows a given number, of the linearised model: ∂ln θ/∂ln φ, for an offset ∂θ/∂ln φ.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct BudgetEntry {
+    /// The name of the free number θ.
+    pub name: String,
+    /// The name of the given number φ.
+    pub of: String,
+    /// The derivative.
+    pub slope: f64,
+    /// The unit of the derivative: `1`, or that of an offset.
+    pub unit: &'static str,
+}
+
+/// A quantity that follows from a record of force. Pulling counts positive.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct FitQuantity {
+    /// `adhesion_force`, `pull_off_force`, `separation_work`, and with `_measured` those of the rows.
+    pub name: &'static str,
+    /// The meaning of the quantity in words.
+    pub label: &'static str,
+    /// The value, in SI units.
+    pub value: f64,
+    /// The standard error; `None` for a quantity of the rows, and for the work of separation.
+    pub stderr: Option<f64>,
+    /// `N` or `J`; per length on a half-plane.
+    pub unit: &'static str,
+}
+
+/// The residuals of one leg of a record.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct FittedLeg {
+    /// Approach or retract.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "text"))]
+    pub leg: Leg,
+    /// The number of rows.
+    pub rows: usize,
+    /// The number of rows in contact.
+    pub in_contact: usize,
+    /// The number of rows at which the edge of the contact is pinned.
+    pub pinned: usize,
+    /// The mean square of the residuals, in units of σ; `None` beyond the range of a double.
+    pub mean_square: Option<f64>,
+    /// The order of the signs of the residuals.
+    pub runs_test: Option<RunsTest>,
+}
+
+/// Rows of the data that do not count.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct SkippedRows {
+    /// `not a number`, `saturated`, `other leg`, `outside of x`, `outside of y`.
+    pub why: &'static str,
+    /// The number of rows.
+    pub rows: usize,
+}
+
 /// An end of a descent: its start and its result.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Attempt {
-    /// `given`, by the problem; `two-points`, of a power law; `regression`, of known contact radii; `all-in-contact` and `jump`, hypotheses
+    /// `approach-alone` and `retract-alone`, one leg where there are two works of adhesion; `given`, by the problem; `two-points`, of a power law; `regression`, of known contact radii; `all-in-contact` and `jump`, hypotheses
     /// on the record; `search`, over w/E*.
     pub start: &'static str,
     /// The number of rows out of contact.
@@ -277,12 +360,27 @@ pub struct Fit {
     /// The estimates with other smoothings of a measured tip, which show the effect of its noise.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Vec::is_empty"))]
     pub smoothing: Vec<SmoothedFit>,
+    /// Each leg of the record with its residuals.
+    pub legs: Vec<FittedLeg>,
+    /// Adhesion force, force before the jump and work of separation, of the fitted curve and of the rows.
+    pub quantities: Vec<FitQuantity>,
+    /// How the estimates follow the numbers that are given.
+    pub budget: Vec<BudgetEntry>,
+    /// Limits of free numbers that the rows do not determine, or hardly tell from zero.
+    pub limits: Vec<FitLimit>,
+    /// Rows that do not count, by the reason.
+    pub skipped: Vec<SkippedRows>,
 }
 
 impl Fit {
+    /// A quantity that follows from the record, by its name.
+    pub fn quantity(&self, name: &str) -> Option<&FitQuantity> {
+        self.quantities.iter().find(|quantity| quantity.name == name)
+    }
+
     /// The estimate of a free number.
     pub fn estimate(&self, name: &str) -> Option<&FitEstimate> {
-        let bare = name.strip_prefix("profile.").unwrap_or(name);
+        let bare = super::problem::bare(name);
         self.parameters.iter().find(|estimate| estimate.name == bare)
     }
 }

@@ -123,9 +123,23 @@ pub(super) fn arcs(contact: &Contact<'_, f64>, turns: &[Turn], x: [f64; 2]) -> R
     Ok(arcs)
 }
 
+/// The turns of a contact whose edge is pinned: those inside, and the edge itself where the contact is set free on a branch that falls.
+///
+/// # Errors
+/// Errors of the transform.
+pub(super) fn up_to_edge(contact: &Contact<'_, f64>, turns: &[Turn]) -> Result<Vec<Turn>> {
+    let Some(edge) = contact.edge.filter(|_| contact.pinned.is_some()) else { return Ok(turns.to_vec()) };
+    let mut inside: Vec<Turn> = turns.iter().copied().filter(|turn| turn.s < edge).collect();
+    if contact.point(&edge)?.tangent[0] <= 0.0 {
+        inside.push(Turn { s: edge, kind: FoldKind::Minimum, is_fold: true });
+    }
+    Ok(inside)
+}
+
 /// A length of the contact: where Δl is a as a sphere of that radius would have it.
 fn scale(contact: &Contact<'_, f64>) -> f64 {
     let length = contact.tip.length_of_work(contact.numbers.work / contact.numbers.e_star);
+    let length = contact.edge.map_or(length, |edge| (0.5 * edge).min(length));
     contact.tip.transform.outer_radius().map_or(length, |outer| (0.5 * outer).min(length))
 }
 

@@ -5,23 +5,29 @@ use std::sync::Arc;
 use mdr::contact::GradedReal;
 use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Control, Result, Transform};
+use mdr_core::contact::{Control, Edge, Result, Transform};
 use mdr_core::number::{Dual, Literal, Real, Special};
 use mdr_numeric::medium::Adhesion;
 
 use super::observation::Observation;
-use super::problem::{Kind, Problem};
+use super::problem::{DataRow, Kind, Problem};
 use mdr::scene::Medium;
 
 /// The numbers of a problem in one arithmetic.
 #[derive(Clone, Debug)]
 pub(super) struct Numbers<R> {
     pub(super) e_star: R,
+    /// The work of adhesion; of an edge, where each direction has its own.
     pub(super) work: R,
+    /// Of an edge that advances, and that recedes.
+    pub(super) works: Option<[R; 2]>,
     pub(super) stiffness: Option<R>,
+    pub(super) sensitivity: Option<R>,
     pub(super) contact_point: R,
     pub(super) baseline: R,
     pub(super) profile: Vec<R>,
+    /// The slope of the baseline, and the drifts of baseline and position.
+    pub(super) trends: [R; 3],
 }
 
 impl<R> Numbers<R> {
@@ -30,13 +36,18 @@ impl<R> Numbers<R> {
         let parameters = &problem.parameters;
         let of = |kind: Kind| parameters.iter().position(|parameter| parameter.kind == kind).map(&value);
         let is_of_profile = |index: &usize| matches!(parameters[*index].kind, Kind::Profile(_));
+        let or_zero = |kind: Kind| of(kind).unwrap_or_else(&zero);
+        let works = [Edge::Advancing, Edge::Receding].map(|edge| or_zero(Kind::Work(edge)));
         Numbers {
             e_star: of(Kind::EffectiveModulus).unwrap_or_else(&zero),
             work: of(Kind::WorkOfAdhesion).unwrap_or_else(&zero),
+            works: problem.has_two_works().then_some(works),
             stiffness: of(Kind::Stiffness),
+            sensitivity: of(Kind::Sensitivity),
             contact_point: of(Kind::ContactPoint).unwrap_or_else(&zero),
             baseline: of(Kind::Baseline).unwrap_or_else(&zero),
             profile: (0..parameters.len()).filter(is_of_profile).map(&value).collect(),
+            trends: [Kind::BaselineSlope, Kind::BaselineDrift, Kind::PositionDrift].map(or_zero),
         }
     }
 
@@ -46,10 +57,44 @@ impl<R> Numbers<R> {
         match kind {
             Kind::EffectiveModulus => Some(&self.e_star),
             Kind::WorkOfAdhesion => Some(&self.work),
+            Kind::Work(edge) => self.works.as_ref().map(|works| &works[edge as usize]),
             Kind::Stiffness => self.stiffness.as_ref(),
+            Kind::Sensitivity => self.sensitivity.as_ref(),
+            Kind::BaselineSlope => self.trends.first(),
+            Kind::BaselineDrift => self.trends.get(1),
+            Kind::PositionDrift => self.trends.get(2),
             Kind::ContactPoint => Some(&self.contact_point),
             Kind::Baseline => Some(&self.baseline),
             Kind::Profile(index) => self.profile.get(index),
+        }
+    }
+}
+
+/// The work of adhesion of a contact without any: next to nothing, so that it has the folds of one with adhesion.
+const NOTHING: f64 = 1e-100;
+
+impl Numbers<f64> {
+    /// The numbers for an edge that has a work of adhesion of its own; zero becomes next to nothing.
+    pub(super) fn of_edge(&self, edge: Option<Edge>) -> Self {
+        let own = self.works.zip(edge).map_or(self.work, |(works, edge)| works[edge as usize]);
+        Numbers { work: if own == 0.0 { NOTHING } else { own }, ..self.clone() }
+    }
+
+    /// The place of a row on the curve: without trends.
+    pub(super) fn untrended(&self, row: &DataRow) -> [f64; 2] {
+        let [slope, drift, of_position] = self.trends;
+        let trend = slope * (row.x - self.contact_point) + drift * row.at.time;
+        [row.x - of_position * row.at.time, row.y - trend]
+    }
+
+    /// How the place of the curve against that of a row moves with a number, by its trends.
+    pub(super) fn trend_partial(&self, kind: Kind, row: &DataRow) -> [f64; 2] {
+        match kind {
+            Kind::BaselineSlope => [0.0, row.x - self.contact_point],
+            Kind::BaselineDrift => [0.0, row.at.time],
+            Kind::PositionDrift => [row.at.time, 0.0],
+            Kind::ContactPoint => [0.0, -self.trends[0]],
+            _ => [0.0; 2],
         }
     }
 }
@@ -199,7 +244,7 @@ pub(super) struct Point<R> {
     pub(super) slopes: [R; 3],
     /// Derivatives of X and Y with respect to the parameter of the curve.
     pub(super) tangent: [R; 2],
-    beyond_edge: bool,
+    pub(super) beyond_edge: bool,
 }
 
 /// A contact and how it is seen. The curve is parametrised by the contact radius; beyond a vertical edge the contact stays there,
@@ -208,13 +253,27 @@ pub(super) struct Contact<'t, R: Real> {
     pub(super) tip: &'t Tip<R>,
     pub(super) numbers: Numbers<R>,
     pub(super) observation: Observation,
+    /// The radius beyond which the contact does not grow: a vertical edge of the tip, or where the edge of the contact is pinned.
     pub(super) edge: Option<R>,
+    /// The edge of the contact whose work of adhesion is its own.
+    pub(super) direction: Option<Edge>,
+    /// Of a pinned edge: how its radius moves with each number.
+    pub(super) pinned: Option<Vec<(Kind, R)>>,
 }
 
 impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
     pub(super) fn new(tip: &'t Tip<R>, numbers: Numbers<R>, observation: Observation) -> Self {
         let edge = tip.transform.outer_radius().filter(|_| tip.transform.vertical_edge());
-        Contact { tip, numbers, observation, edge }
+        Contact { tip, numbers, observation, edge, direction: None, pinned: None }
+    }
+
+    /// Whether the contact has this work of adhesion.
+    fn has_work(&self, kind: Kind) -> bool {
+        match kind {
+            Kind::WorkOfAdhesion => self.direction.is_none(),
+            Kind::Work(edge) => self.direction == Some(edge),
+            _ => false,
+        }
     }
 
     fn springs(&self, a: &R) -> Result<Springs<R>> {
@@ -233,10 +292,14 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
     /// The observed quantities as a linear map of (d, F, a), without offsets.
     fn observe(&self, d: R, f: R, a: R) -> [R; 2] {
         let bent = |f: &R| self.numbers.stiffness.as_ref().map_or_else(|| f.lit(0), |k| f.clone() / k);
+        let seen = |y: R| match &self.numbers.sensitivity {
+            Some(sensitivity) => y / sensitivity,
+            None => y,
+        };
         match self.observation {
             Observation::ForceOfIndentation => [d, f],
-            Observation::ForceOfPosition => [d + bent(&f), f],
-            Observation::DeflectionOfPosition => [d + bent(&f), bent(&f)],
+            Observation::ForceOfPosition => [d + bent(&f), seen(f)],
+            Observation::DeflectionOfPosition => [d + bent(&f), seen(bent(&f))],
             Observation::IndentationOfForce => [f, d],
             Observation::ForceOfRadius => [a, f],
             Observation::RadiusOfForce => [f, a],
@@ -290,7 +353,7 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
     pub(super) fn partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 2]> {
         let zero = || point.a.lit(0);
         match kind {
-            Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::Profile(_) => {
+            Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::Work(_) | Kind::Profile(_) => {
                 let [d, f, a] = self.state_partial(kind, point)?;
                 Ok(self.observe(d, f, a))
             }
@@ -298,13 +361,52 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
                 let [x, y] = self.observe(zero(), point.f.clone(), zero());
                 // Only what is divided by k depends on it.
                 let y = if self.observation == Observation::DeflectionOfPosition { -y } else { zero() };
-                Ok([-x, y])
+                self.with_pinned(kind, point, [-x, y])
+            }
+            Kind::Sensitivity => {
+                let [_, y] = self.observe(point.d.clone(), point.f.clone(), point.a.clone());
+                self.with_pinned(kind, point, [zero(), -y])
             }
             Kind::ContactPoint | Kind::Baseline => {
                 let one = |mine: Kind| if mine == kind { point.a.lit(1) } else { zero() };
-                Ok(self.offsets(one(Kind::ContactPoint), one(Kind::Baseline)))
+                self.with_pinned(kind, point, self.offsets(one(Kind::ContactPoint), one(Kind::Baseline)))
+            }
+            Kind::BaselineSlope | Kind::BaselineDrift | Kind::PositionDrift => {
+                self.with_pinned(kind, point, [zero(), zero()])
             }
         }
+    }
+
+    /// ∂(X, Y) with the motion of a pinned edge.
+    fn with_pinned(&self, kind: Kind, point: &Point<R>, [x, y]: [R; 2]) -> Result<[R; 2]> {
+        let [d, f, a] = self.pinned_partial(kind, point)?;
+        let [more_x, more_y] = self.observe(d, f, a);
+        Ok([x + more_x, y + more_y])
+    }
+
+    /// ∂(d, F, a) by the motion of a pinned edge: along F = S d − ∫S'g, from d = g(a) − Δl(a) on.
+    fn pinned_partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 3]> {
+        let Point { a, d, .. } = point;
+        let zero = || a.lit(0);
+        let speed = match &self.pinned {
+            Some(speeds) if point.beyond_edge => speeds.iter().find(|(of, _)| *of == kind).map(|(_, speed)| speed),
+            _ => None,
+        };
+        let Some(speed) = speed else { return Ok([zero(), zero(), zero()]) };
+        let transform = &self.tip.transform;
+        let Springs { factor, stiffness: [stiffness, slope, _], elongation: [_, change, _] } = self.springs(a)?;
+        let d_slope = transform.slope(a)? - change;
+        let f_slope = ((d.clone() - &transform.g(a)?) * &slope + stiffness * &d_slope) * &factor;
+        Ok([d_slope * speed, f_slope * speed, speed.clone()])
+    }
+
+    /// Δl of a contact of this radius.
+    ///
+    /// # Errors
+    /// A number out of its domain.
+    pub(super) fn elongation(&self, a: &R) -> Result<R> {
+        let Springs { elongation: [elongation, ..], .. } = self.springs(a)?;
+        Ok(elongation)
     }
 
     /// ∂(d, F, a) at a fixed parameter of the curve.
@@ -315,13 +417,13 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
         let half = elongation.over(2);
         // Both Δl and the force of the springs at the edge change with a factor of the modulus.
         let lever = factor.clone() * &stiffness * &half;
-        Ok(match kind {
+        let fixed = match kind {
             Kind::EffectiveModulus => [half, lever + &point.f, a.lit(0)],
-            Kind::WorkOfAdhesion => [-half, -lever, a.lit(0)],
+            kind if self.has_work(kind) => [-half, -lever, a.lit(0)],
             Kind::Profile(_) => {
                 let Some(dual) = self.tip.seeded(kind) else { return Ok([a.lit(0), a.lit(0), a.lit(0)]) };
                 // At a vertical edge the contact radius is a number of the profile.
-                let at_edge = if point.beyond_edge { dual.outer_radius() } else { None };
+                let at_edge = if point.beyond_edge && self.pinned.is_none() { dual.outer_radius() } else { None };
                 let radius = at_edge.unwrap_or_else(|| Dual::constant(a.clone()));
                 let moved = radius.slope.clone();
                 let d = dual.g(&radius)?.slope - change * &moved;
@@ -329,8 +431,14 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
                 let f = (moved.clone() * &slope * above_mean + stiffness * &shift) * &factor;
                 [d, f, moved]
             }
-            Kind::Stiffness | Kind::ContactPoint | Kind::Baseline => [a.lit(0), a.lit(0), a.lit(0)],
-        })
+            _ => [a.lit(0), a.lit(0), a.lit(0)],
+        };
+        if self.pinned.is_none() {
+            return Ok(fixed);
+        }
+        let [d, f, moved] = fixed;
+        let [more_d, more_f, more_a] = self.pinned_partial(kind, point)?;
+        Ok([d + more_d, f + more_f, moved + more_a])
     }
 
     /// The second derivatives of X and Y with respect to the parameter of the curve.
@@ -367,7 +475,7 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
         // F' = S d' − S'Δl changes with d' and Δl, and with the modulus itself.
         let (d, lag, own) = match kind {
             Kind::EffectiveModulus => (quarter, -half, springs.slope_of_force(d_slope, elongation)),
-            Kind::WorkOfAdhesion => (-quarter, half, zero()),
+            kind if self.has_work(kind) => (-quarter, half, zero()),
             Kind::Profile(_) => match self.tip.seeded(kind) {
                 Some(dual) => (dual.slope(&Dual::constant(a.clone()))?.slope, zero(), zero()),
                 None => return Ok(zero()),
@@ -376,7 +484,7 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
                 let [x, _] = self.observe(zero(), f_slope.clone(), zero());
                 return Ok(-x);
             }
-            Kind::ContactPoint | Kind::Baseline => return Ok(zero()),
+            _ => return Ok(zero()),
         };
         let [stiffness, slope, _] = &springs.stiffness;
         let f = (own + stiffness.clone() * &d - slope.clone() * &lag) * &springs.factor;
@@ -384,8 +492,12 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
         Ok(x)
     }
 
-    /// How fast the radius of a vertical edge grows with a number of the profile.
+    /// How fast the radius of a vertical edge, or of a pinned one, grows with a number.
     pub(super) fn edge_partial(&self, kind: Kind) -> R {
+        if let Some(speeds) = &self.pinned {
+            let speed = speeds.iter().find(|(of, _)| *of == kind).map(|(_, speed)| speed.clone());
+            return speed.unwrap_or_else(|| self.numbers.e_star.lit(0));
+        }
         let edge = self.tip.seeded(kind).and_then(|dual| dual.outer_radius());
         edge.map_or_else(|| self.numbers.e_star.lit(0), |edge| edge.slope)
     }

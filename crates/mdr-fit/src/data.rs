@@ -1,10 +1,11 @@
 //! Rows of a measured curve: columns by name, units, legs.
 
 use mdr_core::number::Literal;
+use mdr_core::text::excerpt;
 use mdr_core::units::{SiUnit, bare, scaled};
 
 use super::observation::Leg;
-use super::problem::DataRow;
+use super::problem::{DataRow, Moment};
 use mdr::Result;
 use mdr::reading::Location;
 
@@ -22,13 +23,22 @@ pub(super) fn rows(x: &[f64], y: &[f64], legs: Option<&[Leg]>) -> Result<Vec<Dat
     }
     let found = legs_by_order(x);
     let legs = legs.unwrap_or(&found);
-    let row = |((x, y), leg): ((&f64, &f64), &Leg)| DataRow { x: *x, y: *y, leg: *leg, sigma: [None; 2] };
+    let row = |((x, y), leg): ((&f64, &f64), &Leg)| DataRow {
+        x: *x,
+        y: *y,
+        leg: *leg,
+        sigma: [None; 2],
+        at: Moment::default(),
+    };
     Ok(x.iter().zip(y).zip(legs).map(row).collect())
 }
 
-/// A record turns where X has its extremum: it falls before and after a smallest X inside it, and rises before and falls after
+/// A record that turns more than once has cycles. Another turns where X has its extremum: it falls before and after a smallest X inside it, and rises before and falls after
 /// a largest one.
 pub(super) fn legs_by_order(x: &[f64]) -> Vec<Leg> {
+    if let Some(legs) = super::select::cycles(x) {
+        return legs;
+    }
     let place = |better: fn(f64, f64) -> bool| {
         (0..x.len()).fold(0, |best: usize, index| if better(x[index], x[best]) { index } else { best })
     };
@@ -73,6 +83,10 @@ pub(super) struct Columns {
     pub(super) y: Option<String>,
     pub(super) leg: Option<String>,
     pub(super) sigma: [Option<String>; 2],
+    /// In s.
+    pub(super) time: Option<String>,
+    /// Whether rows without a number are left out.
+    pub(super) skips_missing: bool,
     /// Units that are stated beside the file.
     pub(super) units: Option<[String; 2]>,
 }
@@ -110,6 +124,22 @@ const LEGS: [(Leg, &[&str]); 2] = [
         ],
     ),
 ];
+
+/// Whether a field says that nothing was measured.
+pub(super) fn is_no_number(field: &str) -> bool {
+    let field = field.trim().trim_start_matches(['+', '-']).to_ascii_lowercase();
+    ["", "nan", "na", "n/a", "null", "none", "inf", "infinity"].contains(&field.as_str())
+}
+
+/// A unit of time in s.
+pub(super) fn second(unit: &str) -> std::result::Result<f64, String> {
+    let units =
+        [("", 1.0), ("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("µs", 1e-6), ("μs", 1e-6), ("ns", 1e-9), ("min", 60.0)];
+    let found = units.iter().find(|(name, _)| *name == unit.trim());
+    found
+        .map(|(_, second)| *second)
+        .ok_or_else(|| format!("`{}` is no unit of time: s, ms, us, ns or min", excerpt(unit)))
+}
 
 /// A leg by its name, in capitals or not.
 pub(super) fn leg_of(name: &str) -> Option<Leg> {

@@ -22,6 +22,9 @@ pub(super) const AT_FOLD: f64 = 1e-2;
 /// A minimum with the fold at the last row is looked for where the fold is within so many widths of the noise of it.
 const WIDTHS: f64 = 9.0;
 
+/// The drop of Y at a fold, in units of σ, below which no row tells that there is one.
+const UNSEEN: f64 = 0.1;
+
 /// The sum of squares over the degrees of freedom below which no search is begun, where the noise is only seen in the data.
 const GOOD: f64 = 3.0;
 
@@ -80,7 +83,11 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
                 search.tried.iter().map(|attempt| attempt.cost).filter(|cost| *cost < enough).fold(f64::NAN, f64::min);
             let cost = || objective.evaluate(&start, None).map_or(f64::INFINITY, |evaluation| evaluation.cost());
             if source != Source::Record || good.is_nan() || cost() < HOPELESS * (good + dof) {
-                search.descend(objective, name, &start, scales);
+                search.descend(objective, name, &start, Some(scales));
+                // Of a start that is near, labels are right, and a larger scale of X leads away from them.
+                if objective.problem.has_two_works() {
+                    search.descend(objective, name, &start, None);
+                }
             }
         }
     }
@@ -94,8 +101,9 @@ struct Search {
 }
 
 impl Search {
-    /// Descends on a part of the rows: the scale of X falls through `scales` to its value. The end is kept unless it is known.
-    fn descend(&mut self, objective: &mut Objective<'_>, start: &'static str, values: &[f64], scales: &[f64]) {
+    /// Descends on a part of the rows: the scale of X falls through `scales` to its value, or has it from the beginning. The end is kept
+    /// unless it is known.
+    fn descend(&mut self, objective: &mut Objective<'_>, start: &'static str, values: &[f64], scales: Option<&[f64]>) {
         match self.reduced(objective, values, scales) {
             Ok((fitted, cost, detached)) => {
                 let is_same = |other: &Attempt| {
@@ -113,14 +121,15 @@ impl Search {
         &mut self,
         objective: &mut Objective<'_>,
         start: &[f64],
-        scales: &[f64],
+        scales: Option<&[f64]>,
     ) -> mdr_core::contact::Result<(Vec<f64>, f64, usize)> {
         let (scale, all) = (objective.x_scale, objective.rows.clone());
         let last = scale.filter(|scale| *scale > 0.0).unwrap_or(objective.noise.beyond);
         let mut fitted = start.to_vec();
+        let (scales, end): (&[f64], &[f64]) = scales.map_or((&[], &[]), |scales| (scales, &[1.0]));
         let patience = if scales.len() > 1 { PATIENCE[0] } else { PATIENCE[1] };
         objective.rows = all.iter().copied().step_by(all.len().div_ceil(FEW).max(1)).collect();
-        for factor in scales.iter().chain([&1.0]) {
+        for factor in scales.iter().chain(end) {
             objective.x_scale = Some(factor * last);
             // A step of the continuation that fails leaves its start to the next.
             if let Ok((next, evaluations)) = minimise::descend(objective, &fitted, 1e-5, patience) {
@@ -241,11 +250,10 @@ fn led_by_others(
 
 /// The minimum beyond a held one: the fold is moved so far that the curve goes through the row, then it is free.
 fn released(objective: &mut Objective<'_>, held: &Minimum, evaluations: usize) -> mdr_core::contact::Result<Minimum> {
-    let contact = held.evaluation.contact(objective.problem.observation);
     let mut moved = held.at_fold.clone();
     for fold in &mut moved {
         let residual = held.evaluation.residuals[fold.row] / objective.noise.unit;
-        let width = objective.width_of_fold(&contact, &held.evaluation, fold)?;
+        let width = objective.width_of_fold(&held.evaluation, fold)?;
         fold.beyond = width * residual.powi(2).clamp(1.0, 1e3);
     }
     objective.at_fold = moved;
@@ -263,18 +271,33 @@ fn is_beyond(minimum: &Minimum) -> bool {
 /// The last rows of arcs that lie beyond the fold or nearer to it than the noise resolves.
 fn near_fold(objective: &Objective<'_>, minimum: &Minimum) -> mdr_core::contact::Result<Vec<AtFold>> {
     let evaluation = &minimum.evaluation;
-    let contact = evaluation.contact(objective.problem.observation);
     let least = objective.noise.beyond * if minimum.gradient < CONVERGED { AT_FOLD } else { 1.0 };
     let mut near = Vec::new();
-    for (index, arc) in evaluation.arcs.iter().enumerate() {
-        let Some(fold) = Arc::inner_fold(arc) else { continue };
-        let on_arc = (0..objective.rows.len()).filter(|row| evaluation.labels[*row] == index + 1);
-        let last = on_arc.min_by(|one, other| objective.rows[*one].x.total_cmp(&objective.rows[*other].x));
-        let Some(row) = last else { continue };
-        let at_fold = AtFold { row, level: index + 1, beyond: 0.0 };
-        let reach = least.max(WIDTHS * objective.width_of_fold(&contact, evaluation, &at_fold)?);
-        if objective.rows[row].x - fold.at[0] < reach {
-            near.push(at_fold);
+    let x_of = |row: usize| evaluation.numbers.untrended(&objective.rows[row])[0];
+    for (place, sheet) in evaluation.sheets.iter().enumerate() {
+        for (index, arc) in sheet.arcs.iter().enumerate() {
+            let Some(fold) = Arc::inner_fold(arc) else { continue };
+            let is_on_arc = |row: &usize| {
+                evaluation.labels[*row] == index + 1 && evaluation.sheet_of(&objective.rows[*row]) == place
+            };
+            let on_arc = (0..objective.rows.len()).filter(is_on_arc);
+            let last = on_arc.min_by(|one, other| x_of(*one).total_cmp(&x_of(*other)));
+            let Some(row) = last else { continue };
+            let at_fold = AtFold { row, level: index + 1, beyond: 0.0 };
+            // From where the edge is pinned the contact breaks without a fold, anywhere beyond the last row.
+            if sheet.pin.is_some_and(|pin| pin.radius == fold.s) && x_of(row) >= fold.at[0] {
+                continue;
+            }
+            // Without adhesion that is seen there is no jump, and the fold is as good as the first touch.
+            let drop = fold.at[1] - evaluation.numbers.baseline;
+            let has_depth = objective.problem.observation.has_depth();
+            if has_depth && drop.abs() < UNSEEN * objective.scales(&objective.rows[row]).y * objective.noise.unit {
+                continue;
+            }
+            let reach = least.max(WIDTHS * objective.width_of_fold(evaluation, &at_fold)?);
+            if x_of(row) - fold.at[0] < reach {
+                near.push(at_fold);
+            }
         }
     }
     Ok(near)
@@ -292,6 +315,12 @@ fn no_start(objective: &Objective<'_>, failure: Option<mdr_core::contact::Error>
                 .filter(|parameter| parameter.start.or(parameter.value).is_none())
                 .map(|parameter| parameter.name.as_str())
                 .collect();
+            if names.is_empty() {
+                return objective.problem.place.refuse(
+                    "the curve has no value at the numbers that are given, and the data suggest no others: check the start, the signs of x \
+                     and y (pressing in and pressing are positive) and their units",
+                );
+            }
             Location::built("fit.start").refuse(format!(
                 "no values to begin from were found in the data: give a start for `{}`",
                 names.join("`, `")

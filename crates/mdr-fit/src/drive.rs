@@ -1,18 +1,22 @@
 //! From a problem to its answer: the scatter of its rows, the least minimum, and its assessment.
 
-use super::answer::{Fit, FitStatus, FittedRow};
+use super::answer::{Fit, FitStatus, SkippedRows};
 use super::arcs;
 use super::descents::{self, AT_FOLD, Attempt, CONVERGED, Found};
 use super::errors::Errors;
+use super::hysteresis;
 use super::judge::{self, Spectrum};
+use super::limits;
 use super::minimise::{self, Minimum};
 use super::objective::{Noise, Objective};
-use super::observation::Loss;
+use super::observation::{Leg, Loss};
 use super::problem::{Kind, Problem};
+use super::reported::{correlation, described, drawn, rows};
 use super::start::Source;
 use mdr::Result;
 use mdr::reading::Location;
 use mdr::scene::Profile;
+use mdr_core::contact::Edge;
 
 /// The length of a column of the Jacobian below which a change of the number by its own size is less than a standard deviation of the noise.
 const VANISHING: f64 = 1.0;
@@ -20,9 +24,23 @@ const VANISHING: f64 = 1.0;
 /// The probability of χ² below which a fit is called poor.
 const IMPROBABLE: f64 = 1e-6;
 
+/// A fit, and what is asked further of it.
+pub(super) struct Outcome {
+    pub(super) fit: Fit,
+    /// The number that tends to zero, by its index, where the iteration has not converged for it.
+    pub(super) vanishing: Option<usize>,
+    /// The scatter of neighbouring rows.
+    seen: f64,
+}
+
 pub(super) fn fit(problem: &Problem) -> Result<Fit> {
-    let mut fit = fit_from(problem, &Source::ALL)?;
+    let Outcome { mut fit, seen, .. } = limits::without(problem, fit_from(problem, &Source::ALL)?)?;
+    limits::of_weak(&mut fit, problem);
+    hysteresis::add(&mut fit, problem, seen);
+    super::warnings::of_rows(&mut fit, problem);
     super::smoothing::add(&mut fit, problem);
+    let skipped = problem.selection.skipped.iter();
+    fit.skipped = skipped.map(|(why, rows)| SkippedRows { why, rows: *rows }).collect();
     if let Some((text, remark)) = &problem.read {
         fit.read = Some(Box::new(text.clone()));
         fit.warnings.extend(remark.clone());
@@ -31,7 +49,7 @@ pub(super) fn fit(problem: &Problem) -> Result<Fit> {
 }
 
 /// The fit with the tip as it is given, from starts of these sources.
-pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Fit> {
+pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Outcome> {
     check(problem)?;
     let scatter = Scatter::of(problem);
     scatter.check(problem)?;
@@ -44,13 +62,17 @@ pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Fit> {
     if minimum.evaluation.labels.iter().all(|label| *label == 0) {
         return Err(problem.place.refuse(out_of_contact(problem)));
     }
-    answer(&objective, &scatter, &minimum, &tried)
+    let fit = answer(&objective, &scatter, &minimum, &tried)?;
+    let vanishing = if fit.status == FitStatus::NotConverged { vanishing(&objective, &minimum) } else { None };
+    let vanishing = vanishing.map(|place| objective.free[place]);
+    Ok(Outcome { fit, vanishing, seen: scatter.seen })
 }
 
 /// The reason why no row is in contact.
 fn out_of_contact(problem: &Problem) -> String {
     let given = problem.parameters.iter().filter(|parameter| {
-        !parameter.free && matches!(parameter.kind, Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::Stiffness)
+        !parameter.free
+            && matches!(parameter.kind, Kind::EffectiveModulus | Kind::WorkOfAdhesion | Kind::Work(_) | Kind::Stiffness)
     });
     let given: Vec<String> = given
         .filter_map(|parameter| {
@@ -88,7 +110,29 @@ fn check(problem: &Problem) -> Result<()> {
         let why = format!("{} rows cannot determine {free} numbers and their errors", problem.rows.len());
         return Err(problem.place.refuse(why));
     }
-    let missing = problem.parameters.iter().find(|parameter| !parameter.free && parameter.value.is_none());
+    let two = problem.has_two_works();
+    let has_retract = problem.rows.iter().any(|row| row.leg == Leg::Retract);
+    for parameter in &problem.parameters {
+        let name = &parameter.name;
+        if !parameter.free && parameter.start.is_some() {
+            let why = "is not free, so that it has no start: add it to `free`, or give it as a known number";
+            return refuse("fit.start", format!("`{name}` {why}"));
+        }
+        if two && parameter.free && parameter.kind == Kind::WorkOfAdhesion {
+            let why = "is one number for both directions: free it, or `work_of_adhesion.advancing` and `work_of_adhesion.receding`";
+            return refuse("fit.free", format!("`{name}` {why}"));
+        }
+        if parameter.free && parameter.kind == Kind::Work(Edge::Receding) && !has_retract {
+            return refuse("fit.free", format!("no leg retracts, so that nothing is known of `{name}`"));
+        }
+    }
+    let counts = |parameter: &super::problem::Parameter| match parameter.kind {
+        Kind::WorkOfAdhesion => !two,
+        Kind::Work(_) => two,
+        _ => true,
+    };
+    let missing =
+        problem.parameters.iter().find(|parameter| !parameter.free && parameter.value.is_none() && counts(parameter));
     if let Some(parameter) = missing {
         let name = &parameter.name;
         let where_to = match parameter.kind {
@@ -142,7 +186,7 @@ impl Scatter {
         // Of independent errors: their second differences have √6 times their standard deviation.
         let seconds: Vec<f64> = rows
             .windows(3)
-            .filter(|three| three[0].leg == three[2].leg)
+            .filter(|three| three[0].at.part == three[2].at.part)
             .map(|three| (three[0].y - 2.0 * three[1].y + three[2].y).abs())
             .collect();
         let range = |of: fn(&super::problem::DataRow) -> f64| {
@@ -188,7 +232,8 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     let Minimum { fitted, evaluation, jacobian, .. } = minimum;
     let problem = objective.problem;
     let held = minimise::held(objective, fitted, jacobian, evaluation);
-    let kept: Vec<usize> = (0..fitted.len()).filter(|place| !held[*place]).collect();
+    let open = limits::open(objective, minimum);
+    let kept: Vec<usize> = (0..fitted.len()).filter(|place| !held[*place] && !open[*place]).collect();
     let information = objective.information(fitted, evaluation)?;
     let spectrum = Spectrum::new(&information.select_columns(&kept));
     let cost = evaluation.cost();
@@ -247,7 +292,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         distance: if vertical { "vertical" } else { "orthogonal" },
         runs_test: judge::runs_test(&residuals),
         rows,
-        arcs: evaluation.arcs.iter().rev().map(|arc| drawn(objective, minimum, arc)).collect::<Result<_>>()?,
+        arcs: drawn(objective, minimum)?,
         predicted_pull_off: None,
         measured_pull_off: None,
         pull_off_between: None,
@@ -262,13 +307,24 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         tried: tried.iter().map(|attempt| described(objective, attempt, alike)).collect(),
         intervals: Vec::new(),
         smoothing: Vec::new(),
+        legs: Vec::new(),
+        quantities: Vec::new(),
+        budget: Vec::new(),
+        limits: Vec::new(),
+        skipped: Vec::new(),
     };
     super::events::add(&mut fit, &errors, minimum)?;
+    hysteresis::legs(&mut fit, objective);
     if fit.status == FitStatus::Unidentifiable {
         // Where not even the numbers are determined, no contact radius is told.
         fit.rows.iter_mut().for_each(|row| row.contact_radius = None);
     }
     super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
+    if fit.status.has_estimates() {
+        super::quantities::add(&mut fit, &errors, minimum)?;
+        super::budget::add(&mut fit, &errors, minimum);
+    }
+    limits::of_pinned(&mut fit, objective, minimum, &open)?;
     super::warnings::of_minima(&mut fit, objective, tried, scales[0]);
     super::warnings::of_scatter(&mut fit, scatter.seen, by_residuals * objective.noise.y_scale);
     if problem.profile_likelihood && fit.status.has_estimates() {
@@ -288,18 +344,6 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     Ok(fit)
 }
 
-/// The result of a descent.
-fn described(objective: &Objective<'_>, attempt: &descents::Attempt, alike: bool) -> super::answer::Attempt {
-    let unit = if alike { objective.noise.y_scale } else { 1.0 / objective.noise.unit };
-    let estimates = attempt.fitted.iter().enumerate().map(|(place, fitted)| objective.value(place, *fitted));
-    super::answer::Attempt {
-        start: attempt.start,
-        detached: attempt.detached,
-        estimates: estimates.collect(),
-        rss: (attempt.cost.sqrt() * unit).powi(2),
-    }
-}
-
 /// Why estimates are not to be trusted.
 fn poor_fit(chi2: f64, dof: usize, p: f64) -> String {
     let size = if chi2.is_finite() { format!("{chi2:.5e}") } else { "beyond the range of a double".to_owned() };
@@ -313,18 +357,17 @@ fn poor_fit(chi2: f64, dof: usize, p: f64) -> String {
 fn not_converged(objective: &Objective<'_>, minimum: &Minimum) -> String {
     let Minimum { evaluation, gradient, evaluations, .. } = minimum;
     let is_at_fold = |(row, label): (&super::problem::DataRow, &usize)| {
-        let end = label.checked_sub(1).and_then(|arc| evaluation.arcs[arc].inner_fold());
-        end.is_some_and(|end| (row.x - end.at[0]).abs() < AT_FOLD * objective.noise.beyond)
+        let end = evaluation.arc(row, *label).and_then(arcs::Arc::inner_fold);
+        end.is_some_and(|end| {
+            (evaluation.numbers.untrended(row)[0] - end.at[0]).abs() < AT_FOLD * objective.noise.beyond
+        })
     };
     if objective.x_scale.is_none() && objective.rows.iter().zip(&evaluation.labels).any(is_at_fold) {
         return "a row lies at the fold, where the curve is vertical: the sum of squares of vertical distances has a kink there and no \
                 derivative; give the standard deviation of x: sigma = { x = \"…\" }"
             .to_owned();
     }
-    // A logarithm that runs away: its column of the Jacobian is as good as zero beside the others.
-    let lengths: Vec<f64> = minimum.jacobian.column_iter().map(|column| column.norm()).collect();
-    let vanishing = (0..lengths.len()).find(|place| !objective.is_offset(*place) && lengths[*place] < VANISHING);
-    if let Some(place) = vanishing {
+    if let Some(place) = vanishing(objective, minimum) {
         let name = &objective.parameter(place).name;
         return format!(
             "`{name}` tends to zero, {:.1e} {}: the rows are fitted as well without it; give it as a small fixed number, or a lower bound",
@@ -338,51 +381,16 @@ fn not_converged(objective: &Objective<'_>, minimum: &Minimum) -> String {
     )
 }
 
+/// A logarithm that runs away: its column of the Jacobian is as good as zero beside the others.
+fn vanishing(objective: &Objective<'_>, minimum: &Minimum) -> Option<usize> {
+    let lengths: Vec<f64> = minimum.jacobian.column_iter().map(|column| column.norm()).collect();
+    let open = limits::open(objective, minimum);
+    (0..lengths.len()).find(|place| !objective.is_offset(*place) && !open[*place] && lengths[*place] < VANISHING)
+}
+
 /// Whether the residuals are the rounding of the data: then their direction says nothing.
 fn is_exact(objective: &Objective<'_>, minimum: &Minimum) -> bool {
     let largest = objective.rows.iter().map(|row| row.y.abs()).fold(0.0, f64::max);
     let count = objective.rows.len() as f64;
     minimum.evaluation.cost().sqrt() * objective.noise.y_scale <= 1e-11 * largest * count.sqrt()
-}
-
-fn correlation(covariance: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let deviation = |index: usize| covariance[index][index].sqrt();
-    let of = |row: usize, column: usize| {
-        let scale = deviation(row) * deviation(column);
-        if row == column {
-            1.0
-        } else if scale > 0.0 {
-            covariance[row][column] / scale
-        } else {
-            0.0
-        }
-    };
-    (0..covariance.len()).map(|row| (0..covariance.len()).map(|column| of(row, column)).collect()).collect()
-}
-
-/// Each row beside the curve.
-fn rows(objective: &Objective<'_>, minimum: &Minimum) -> Result<Vec<FittedRow>> {
-    let evaluation = &minimum.evaluation;
-    let contact = evaluation.contact(objective.problem.observation);
-    // Labels count from the outermost arc on which a row lies.
-    let outermost = evaluation.labels.iter().copied().max().unwrap_or(0) as i32;
-    let row = |(index, row): (usize, &super::problem::DataRow)| {
-        let residual = evaluation.residuals[index] / objective.noise.unit;
-        let (fitted, contact_radius, label) = match &evaluation.feet[index] {
-            Some(foot) => {
-                let point = contact.point(&foot.s)?;
-                (point.at, Some(point.a), outermost - evaluation.labels[index] as i32)
-            }
-            None => ([row.x, evaluation.numbers.baseline], None, -1),
-        };
-        Ok(FittedRow { x: row.x, y: row.y, leg: row.leg, label, residual, fitted, contact_radius })
-    };
-    objective.rows.iter().enumerate().map(row).collect()
-}
-
-/// An arc as points (X, Y, a).
-fn drawn(objective: &Objective<'_>, minimum: &Minimum, arc: &arcs::Arc) -> Result<Vec<[f64; 3]>> {
-    let contact = minimum.evaluation.contact(objective.problem.observation);
-    let point = |sample: &arcs::Sample| Ok([sample.at[0], sample.at[1], contact.point(&sample.s)?.a]);
-    arc.samples.iter().map(point).collect()
 }

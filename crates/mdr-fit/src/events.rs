@@ -17,7 +17,8 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
     }
     fit.predicted_pull_off = pull_off(errors, minimum)?;
     let rows = &fit.rows;
-    let pair = |leg: Leg, index: usize| rows[index].leg == leg && rows[index - 1].leg == leg;
+    let data = &errors.objective.rows;
+    let pair = |leg: Leg, index: usize| rows[index].leg == leg && data[index].at.part == data[index - 1].at.part;
     let breaks = (1..rows.len())
         .find(|index| pair(Leg::Retract, *index) && rows[*index].label < 0 && rows[*index - 1].label >= 0)
         .map(|index| index - 1);
@@ -38,13 +39,14 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
 /// The fold where the contact breaks, with standard errors: it moves along the curve, and with the curve.
 fn pull_off(errors: &Errors<'_>, minimum: &Minimum) -> Result<Option<FitEvent>> {
     let evaluation = &minimum.evaluation;
-    let Some(s) = evaluation.last_fold() else { return Ok(None) };
-    let contact = evaluation.contact(errors.objective.problem.observation);
-    let point = contact.point(&s)?;
+    let sheet = evaluation.breaking();
+    let Some(s) = evaluation.sheets[sheet].last_fold() else { return Ok(None) };
     let kinds = errors.kinds();
+    let contact = &evaluation.contacts(errors.objective.problem.observation, &kinds)?[sheet];
+    let point = contact.point(&s)?;
     let mut gradients = vec![DVector::zeros(kinds.len()); 5];
     for (index, kind) in kinds.iter().enumerate() {
-        let speed = end_speed(&contact, *kind, &point)?;
+        let speed = end_speed(contact, *kind, &point)?;
         let [x, y] = contact.partial(*kind, &point)?;
         let [d, f, a] = contact.state_partial(*kind, &point)?;
         let along = [point.tangent[0], point.tangent[1], point.slopes[1], point.slopes[0], point.slopes[2]];
@@ -84,7 +86,9 @@ fn measured(errors: &Errors<'_>, minimum: &Minimum, [x, y]: [f64; 2]) -> FitEven
     let numbers = &minimum.evaluation.numbers;
     let stiffness = numbers.stiffness.unwrap_or(f64::INFINITY);
     let observation = errors.objective.problem.observation;
-    let [indentation, force] = observation.state([x, y], [numbers.contact_point, numbers.baseline], stiffness);
+    let sensitivity = numbers.sensitivity.unwrap_or(1.0);
+    let state = [x, numbers.baseline + sensitivity * (y - numbers.baseline)];
+    let [indentation, force] = observation.state(state, [numbers.contact_point, numbers.baseline], stiffness);
     let undetermined = errors.spectrum.undetermined();
     let is_known = |kind: Kind| errors.kinds().iter().zip(&undetermined).all(|(known, lost)| *known != kind || !lost);
     let by_machine = is_known(Kind::Stiffness) || observation == Observation::ForceOfPosition;

@@ -54,7 +54,7 @@ impl Arc {
     }
 
     /// Where X is `x`, between the ends of the arc, by Newton's method within a bracket.
-    fn parameter(&self, contact: &Contact<'_, f64>, x: f64) -> Result<f64> {
+    pub(super) fn parameter(&self, contact: &Contact<'_, f64>, x: f64) -> Result<f64> {
         let after = self.samples.partition_point(|sample| sample.at[0] <= x).clamp(1, self.samples.len() - 1);
         let [mut low, mut high] = [self.samples[after - 1].s, self.samples[after].s];
         let mut s = guess(&self.samples[after - 1], &self.samples[after], x);

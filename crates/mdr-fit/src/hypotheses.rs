@@ -82,13 +82,13 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
     let stride = problem.rows.len().div_ceil(ROWS).max(1);
     let rows: Vec<_> = problem.rows.iter().step_by(stride).collect();
     let state = |row: &&super::problem::DataRow| {
-        let [depth, force] = problem.observation.state([row.x, row.y], [0.0, baseline], stiffness);
+        let [depth, force] = problem.observation.state(problem.seen(row), [0.0, baseline], stiffness);
         State { depth, force }
     };
     let states: Vec<State> = rows.iter().map(state).collect();
     let mut parts = Vec::new();
     let mut first = 0;
-    for leg in rows.chunk_by(|one, other| one.leg == other.leg) {
+    for leg in rows.chunk_by(|one, other| one.at.part == other.at.part) {
         let states = &states[first..first + leg.len()];
         first += leg.len();
         let mut order: Vec<usize> = (0..states.len()).collect();

@@ -40,34 +40,46 @@
 
 mod answer;
 mod arcs;
+mod budget;
 #[cfg(feature = "mp")]
 mod certified;
 mod contact;
 mod data;
+mod derivatives;
 mod descents;
 mod drive;
+mod edges;
 mod errors;
 mod events;
 mod foot;
 mod hypotheses;
+mod hysteresis;
 mod judge;
+mod labelling;
 mod labels;
+mod limits;
 mod minimise;
 mod objective;
 mod observation;
+mod parameter;
 mod problem;
 mod profile;
+mod quantities;
 mod read;
+mod reported;
+mod select;
+mod sheet;
 mod smoothing;
 mod start;
 mod text;
+mod trends;
 mod validity;
 mod warnings;
 mod words;
 
 pub use answer::{
-    Attempt, CertifiedEstimate, CertifiedFit, Fit, FitEstimate, FitEvent, FitStatus, FittedRow, Invariant,
-    LikelihoodInterval, RunsTest, SmoothedFit,
+    Attempt, BudgetEntry, CertifiedEstimate, CertifiedFit, Fit, FitEstimate, FitEvent, FitLimit, FitQuantity,
+    FitStatus, FittedLeg, FittedRow, Invariant, LikelihoodInterval, RunsTest, SkippedRows, SmoothedFit,
 };
 pub use observation::{Leg, Loss, Observation};
 pub use problem::Problem;

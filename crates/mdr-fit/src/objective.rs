@@ -3,14 +3,14 @@
 use std::sync::Arc as Shared;
 
 use mdr_core::contact::Result;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::arcs::{self, Arc, Turn};
 use super::contact::{Contact, Numbers, Tip};
-use super::foot::{self, Foot, Scales};
-use super::labels::cheapest;
-use super::observation::{Leg, Loss, Observation};
+use super::foot::{Foot, Scales};
+use super::observation::{Loss, Observation};
 use super::problem::{DataRow, Kind, Parameter, Problem};
+use super::sheet::{self, Sheet};
 
 /// The distance up to which Huber's loss is a square: 95 % efficient for normal noise.
 const HUBER: f64 = 1.345;
@@ -47,7 +47,7 @@ pub(super) struct Noise {
 
 impl Noise {
     /// The standard deviation of a prior or of an event, in the unit of the noise.
-    fn unit_of(&self, sd: f64) -> f64 {
+    pub(super) fn unit_of(&self, sd: f64) -> f64 {
         sd / self.unit
     }
 
@@ -69,15 +69,18 @@ pub(super) struct AtFold {
 }
 
 /// The factor on the distance in X of a held fold, against that of a row beyond it.
-const HELD: f64 = 1e3;
+pub(super) const HELD: f64 = 1e3;
 
 /// The residuals at one set of numbers.
 pub(super) struct Evaluation {
     pub(super) tip: Shared<Tip<f64>>,
     pub(super) numbers: Numbers<f64>,
-    pub(super) turns: Vec<Turn>,
-    /// The innermost first.
-    pub(super) arcs: Vec<Arc>,
+    /// The folds of the curve, or of an edge that advances and one that recedes.
+    pub(super) turns: Vec<Vec<Turn>>,
+    /// The curve, or of two works of adhesion that of an edge that advances, and for each leg that retracts its own.
+    pub(super) sheets: Vec<Sheet>,
+    /// Which sheet each leg of the record has.
+    pub(super) of_part: Vec<usize>,
     /// The level of each row: 0 detached, else one more than the index of its arc.
     pub(super) labels: Vec<usize>,
     /// The feet of rows in contact.
@@ -87,8 +90,39 @@ pub(super) struct Evaluation {
 }
 
 impl Evaluation {
-    pub(super) fn contact(&self, observation: Observation) -> Contact<'_, f64> {
-        Contact::new(&*self.tip, self.numbers.clone(), observation)
+    /// Which sheet a row has.
+    pub(super) fn sheet_of(&self, row: &DataRow) -> usize {
+        self.of_part.get(row.at.part).copied().unwrap_or(0)
+    }
+
+    /// The sheet on which the contact breaks.
+    pub(super) fn breaking(&self) -> usize {
+        self.sheets.len() - 1
+    }
+
+    /// The contact of a sheet.
+    pub(super) fn contact(&self, observation: Observation, sheet: usize) -> Contact<'_, f64> {
+        self.sheets[sheet].contact(&self.tip, observation)
+    }
+
+    /// The contacts of all sheets, with the motion of pinned edges by these numbers.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn contacts(&self, observation: Observation, kinds: &[Kind]) -> Result<Vec<Contact<'_, f64>>> {
+        let with_speeds = |index: usize| {
+            let mut contact = self.contact(observation, index);
+            if let Some(pin) = &self.sheets[index].pin {
+                contact.pinned = Some(sheet::speeds(&self.contact(observation, 0), pin, kinds)?);
+            }
+            Ok(contact)
+        };
+        (0..self.sheets.len()).map(with_speeds).collect()
+    }
+
+    /// The arc of a row in contact.
+    pub(super) fn arc(&self, row: &DataRow, level: usize) -> Option<&Arc> {
+        self.sheets[self.sheet_of(row)].arc(level)
     }
 
     /// The sum of squares, in the unit of the noise.
@@ -182,7 +216,7 @@ impl<'p> Objective<'p> {
     }
 
     /// σ_Y of a row, in the unit of the noise.
-    fn y_scale(&self, row: &DataRow) -> f64 {
+    pub(super) fn y_scale(&self, row: &DataRow) -> f64 {
         row.sigma[1].map_or(self.noise.y_scale, |own| self.noise.scaled(own))
     }
 
@@ -209,96 +243,46 @@ impl<'p> Objective<'p> {
             Some(tip) => Shared::clone(tip),
             None => Shared::new(Tip::new(self.problem, (), &numbers.profile, &self.free_of_profile())?),
         };
-        let contact = Contact::new(&*tip, numbers.clone(), self.problem.observation);
-        let turns = match before.and_then(|before| arcs::followed(&contact, &before.turns)) {
-            Some(turns) => turns,
-            None => arcs::turns(&contact)?,
+        let mut evaluation = Evaluation {
+            tip,
+            numbers,
+            turns: Vec::new(),
+            sheets: Vec::new(),
+            of_part: Vec::new(),
+            labels: Vec::with_capacity(self.rows.len()),
+            feet: Vec::with_capacity(self.rows.len()),
+            residuals: DVector::zeros(0),
         };
-        let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.noise.beyond);
-        let range = self
-            .rows
-            .iter()
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.x), high.max(row.x)]);
-        let arcs = arcs::arcs(&contact, &turns, [range[0], range[1] + margin])?;
-        let (labels, feet) = self.label(&contact, &arcs)?;
+        self.label(&mut evaluation, before)?;
+        let numbers = &evaluation.numbers;
         let mut residuals: Vec<f64> = self
             .rows
             .iter()
-            .zip(&feet)
-            .map(|(row, foot)| self.loss(foot.map_or_else(|| self.detached(&numbers, row), |foot| foot.residual))[0])
+            .zip(&evaluation.feet)
+            .map(|(row, foot)| self.loss(foot.map_or_else(|| self.detached(numbers, row), |foot| foot.residual))[0])
             .collect();
         residuals.extend(self.prior_residuals(fitted));
-        let mut evaluation =
-            Evaluation { tip: Shared::clone(&tip), numbers, turns, arcs, labels, feet, residuals: DVector::zeros(0) };
         if let Some([place, sd]) = self.problem.pull_off {
-            let end = evaluation.last_fold().map(|s| contact.point(&s)).transpose()?;
+            let contact = evaluation.contact(self.problem.observation, evaluation.breaking());
+            let end = evaluation.sheets[evaluation.breaking()].last_fold().map(|s| contact.point(&s)).transpose()?;
             residuals.push(end.map_or(0.0, |end| (end.at[0] - place) / self.noise.unit_of(sd)));
         }
         for held in &self.at_fold {
-            let fold = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold);
-            residuals.push(
-                fold.map_or(0.0, |fold| (fold.at[0] + held.beyond - self.rows[held.row].x) / self.noise.beyond * HELD),
-            );
+            let row = &self.rows[held.row];
+            let fold = evaluation.arc(row, held.level).and_then(Arc::inner_fold);
+            let away = |fold: &arcs::Sample| fold.at[0] + held.beyond - numbers.untrended(row)[0];
+            residuals.push(fold.map_or(0.0, |fold| away(fold) / self.noise.beyond * HELD));
         }
         evaluation.residuals = DVector::from_vec(residuals);
         Ok(evaluation)
     }
 
-    fn detached(&self, numbers: &Numbers<f64>, row: &DataRow) -> f64 {
-        (numbers.baseline - row.y) / self.y_scale(row)
-    }
-
-    /// Whether a row can be detached: where the contact radius is given, one of radius zero must be.
-    fn can_be(&self, row: &DataRow, detached: bool) -> bool {
-        match self.problem.observation {
-            Observation::ForceOfRadius => detached == (row.x <= 0.0),
-            Observation::IndentationOfForce | Observation::RadiusOfForce => !detached,
-            _ => true,
-        }
-    }
-
-    /// Labels and feet of all rows.
-    fn label(&self, contact: &Contact<'_, f64>, arcs: &[Arc]) -> Result<(Vec<usize>, Vec<Option<Foot>>)> {
-        let mut labels = Vec::with_capacity(self.rows.len());
-        let mut feet = Vec::with_capacity(self.rows.len());
-        let mut index_of_row = 0;
-        for leg in self.rows.chunk_by(|one, other| one.leg == other.leg) {
-            // Level 0 is detached, each other that of an arc.
-            let levels = arcs.len() + 1;
-            let mut costs = vec![f64::INFINITY; levels * leg.len()];
-            let mut found = vec![None; levels * leg.len()];
-            let of_rows = costs.chunks_mut(levels).zip(found.chunks_mut(levels));
-            for (row, (costs, feet)) in leg.iter().zip(of_rows) {
-                let scales = self.scales(row);
-                let held = self.at_fold.iter().find(|held| held.row == index_of_row && held.beyond == 0.0);
-                index_of_row += 1;
-                if let Some(fold) = held.and_then(|held| arcs.get(held.level - 1)).and_then(Arc::inner_fold) {
-                    let level = held.map_or(0, |held| held.level);
-                    let foot = foot::at_fold(fold, [row.x, row.y], scales.y);
-                    costs[level] = self.loss(foot.residual)[0].powi(2);
-                    feet[level] = Some(foot);
-                    continue;
-                }
-                if self.can_be(row, true) || arcs.is_empty() {
-                    costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
-                }
-                if self.can_be(row, false) {
-                    for (index, arc) in arcs.iter().enumerate() {
-                        let foot = arc.foot(contact, [row.x, row.y], &scales)?;
-                        costs[index + 1] = self.loss(foot.residual)[0].powi(2);
-                        feet[index + 1] = Some(foot);
-                    }
-                }
-            }
-            let cheapest = cheapest(&costs, levels, leg.first().map_or(Leg::Retract, |row| row.leg));
-            feet.extend(cheapest.iter().zip(found.chunks(levels)).map(|(level, feet)| feet[*level]));
-            labels.extend(cheapest);
-        }
-        Ok((labels, feet))
+    pub(super) fn detached(&self, numbers: &Numbers<f64>, row: &DataRow) -> f64 {
+        (numbers.baseline - numbers.untrended(row)[1]) / self.y_scale(row)
     }
 
     /// A residual as it counts, and its derivative with respect to the distance.
-    fn loss(&self, residual: f64) -> [f64; 2] {
+    pub(super) fn loss(&self, residual: f64) -> [f64; 2] {
         let huber = HUBER * self.noise.unit;
         if self.problem.loss == Loss::LeastSquares || residual.abs() <= huber {
             return [residual, 1.0];
@@ -318,131 +302,18 @@ impl<'p> Objective<'p> {
         self.priors().map(residual).collect()
     }
 
-    /// The derivatives of the residuals with respect to the fitted values. A number at a bound that it presses against has none.
-    ///
-    /// # Errors
-    /// Errors of the transform.
-    pub(super) fn jacobian(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
-        let contact = evaluation.contact(self.problem.observation);
-        let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), self.free.len());
-        let moving = self.moving(fitted);
-        for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
-            let Some(foot) = foot else {
-                let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
-                for (place, _) in moving.iter().filter(|(_, kind)| *kind == Kind::Baseline) {
-                    jacobian[(index, *place)] = slope;
-                }
-                continue;
-            };
-            let point = contact.point(&foot.s)?;
-            let slope = self.loss(foot.residual)[1];
-            let arc = &evaluation.arcs[evaluation.labels[index] - 1];
-            for (place, kind) in &moving {
-                let [x, y] = arc.partial(&contact, *kind, foot, &point)?;
-                jacobian[(index, *place)] = slope * (foot.weights[0] * x + foot.weights[1] * y);
-            }
-        }
-        let mut index = self.rows.len();
-        for (place, [_, sd]) in self.priors() {
-            let value = self.value(place, fitted[place]);
-            jacobian[(index, place)] = if self.is_offset(place) { 1.0 } else { value } / self.noise.unit_of(sd);
-            index += 1;
-        }
-        // How the place of a fold moves with each number.
-        let mut fold = |index: usize, s: f64, unit: f64| -> Result<()> {
-            let point = contact.point(&s)?;
-            for (place, kind) in &moving {
-                let speed = arcs::end_speed(&contact, *kind, &point)?;
-                jacobian[(index, *place)] = (contact.partial(*kind, &point)?[0] + point.tangent[0] * speed) / unit;
-            }
-            Ok(())
-        };
-        if let Some([_, sd]) = self.problem.pull_off {
-            if let Some(s) = evaluation.last_fold() {
-                fold(index, s, self.noise.unit_of(sd))?;
-            }
-            index += 1;
-        }
-        for held in &self.at_fold {
-            if let Some(end) = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold) {
-                fold(index, end.s, self.noise.beyond / HELD)?;
-            }
-            index += 1;
-        }
-        Ok(jacobian)
-    }
-
-    /// The Jacobian for standard errors: a row that is compared to the end of an arc counts in both directions, along the
-    /// distance and across it, where its residual is zero.
-    ///
-    /// # Errors
-    /// Errors of the transform.
-    pub(super) fn information(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
-        let contact = evaluation.contact(self.problem.observation);
-        let across = |(index, foot): (usize, &Foot)| {
-            let point = contact.point(&foot.s)?;
-            let scales = self.scales(&self.rows[index]);
-            let scales = [scales.x.unwrap_or(scales.beyond), scales.y];
-            let [along_x, along_y] = [foot.weights[0] * scales[0], foot.weights[1] * scales[1]];
-            let arc = &evaluation.arcs[evaluation.labels[index] - 1];
-            let mut row = vec![0.0; self.free.len()];
-            for (place, kind) in self.moving(fitted) {
-                let [x, y] = arc.partial(&contact, kind, foot, &point)?;
-                row[place] = along_x * y / scales[1] - along_y * x / scales[0];
-            }
-            Ok(row)
-        };
-        let is_held = |index: usize| self.at_fold.iter().any(|held| held.row == index);
-        let feet = evaluation.feet.iter().enumerate().filter(|(index, _)| !is_held(*index));
-        let ends = feet.filter_map(|(index, foot)| Some((index, foot.as_ref().filter(|foot| foot.is_end)?)));
-        let rows: Vec<Vec<f64>> = ends.map(across).collect::<Result<_>>()?;
-        let mut jacobian = self.jacobian(fitted, evaluation)?;
-        let known = jacobian.nrows();
-        for (index, held) in self.at_fold.iter().enumerate() {
-            let width = self.width_of_fold(&contact, evaluation, held)?;
-            jacobian
-                .row_mut(known - self.at_fold.len() + index)
-                .scale_mut(self.noise.unit * self.noise.beyond / HELD / width);
-        }
-        let mut information = jacobian.resize_vertically(known + rows.len(), 0.0);
-        for (index, row) in rows.iter().enumerate() {
-            information.row_mut(known + index).copy_from_slice(row);
-        }
-        Ok(information)
-    }
-
     /// How far beyond the last row in contact a fold may be: where the curve has risen by the noise. Near a fold at X₀ it rises as
     /// Y' √(2 (X − X₀)/X''), with derivatives along the curve.
-    pub(super) fn width_of_fold(
-        &self,
-        contact: &Contact<'_, f64>,
-        evaluation: &Evaluation,
-        held: &AtFold,
-    ) -> Result<f64> {
-        let Some(fold) = evaluation.arcs.get(held.level - 1).and_then(Arc::inner_fold) else {
+    pub(super) fn width_of_fold(&self, evaluation: &Evaluation, held: &AtFold) -> Result<f64> {
+        let row = &self.rows[held.row];
+        let Some(fold) = evaluation.arc(row, held.level).and_then(Arc::inner_fold) else {
             return Ok(self.noise.beyond);
         };
+        let contact = evaluation.contact(self.problem.observation, evaluation.sheet_of(row));
         let point = contact.point(&fold.s)?;
         let sigma = self.y_scale(&self.rows[held.row]) * self.noise.unit;
         let curvature = contact.curvature(&point)?[0];
         Ok((sigma / point.tangent[1]).powi(2) * 0.5 * curvature.abs())
-    }
-
-    /// The free numbers but those whose fitted value lies beyond a bound: these do not follow it.
-    fn moving(&self, fitted: &[f64]) -> Vec<(usize, Kind)> {
-        let follows = |place: &usize| {
-            let fitted = fitted[*place];
-            !self.at_bound(*place, fitted) || self.to_fitted(*place, self.value(*place, fitted)) == fitted
-        };
-        (0..self.free.len()).filter(follows).map(|place| (place, self.kind(place))).collect()
-    }
-}
-
-impl Evaluation {
-    /// The parameter of the fold where the contact breaks: of the inner ends of arcs, that with the smallest X.
-    pub(super) fn last_fold(&self) -> Option<f64> {
-        let ends = self.arcs.iter().filter_map(Arc::inner_fold);
-        ends.min_by(|one, other| one.at[0].total_cmp(&other.at[0])).map(|end| end.s)
     }
 }
 

@@ -66,6 +66,11 @@ impl Observation {
         matches!(self, Observation::ForceOfPosition | Observation::DeflectionOfPosition)
     }
 
+    /// Whether X is a depth or a position, and Y a force or a deflection.
+    pub(super) fn has_depth(self) -> bool {
+        self.has_machine() || self == Observation::ForceOfIndentation
+    }
+
     /// Whether the contact radius is seen, so that depth has no offset and no row is detached.
     pub(super) fn sees_radius(self) -> bool {
         matches!(self, Observation::ForceOfRadius | Observation::RadiusOfForce)

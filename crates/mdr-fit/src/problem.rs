@@ -1,47 +1,18 @@
 //! A problem of fitting: a profile, an observation, rows, and unknowns.
 
+use mdr_core::contact::Edge;
 use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
 
 use super::answer::Fit;
 use super::observation::{Leg, Loss, Observation};
+pub(super) use super::parameter::{Kind, Parameter, WORK, bare};
+use super::parameter::{not_negative, number_repeated_names, positive, refuse};
+use super::select::Selection;
 use super::text::CurveText;
+use mdr::Result;
 use mdr::reading::Location;
 use mdr::scene::{IntoProfile, Medium, Profile};
-use mdr::{Error, Result};
-
-/// The numbers of a problem that can be unknown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Kind {
-    EffectiveModulus,
-    WorkOfAdhesion,
-    Stiffness,
-    ContactPoint,
-    Baseline,
-    /// A number of the profile, by its place among them.
-    Profile(usize),
-}
-
-impl Kind {
-    /// Whether it is an offset, fitted as it is. All others are fitted by their logarithm.
-    pub(super) fn is_offset(self) -> bool {
-        matches!(self, Kind::ContactPoint | Kind::Baseline)
-    }
-}
-
-/// One number of a problem, unknown or given.
-#[derive(Clone, Debug)]
-pub(super) struct Parameter {
-    pub(super) kind: Kind,
-    pub(super) name: String,
-    pub(super) unit: SiUnit,
-    pub(super) value: Option<f64>,
-    pub(super) start: Option<f64>,
-    pub(super) free: bool,
-    /// Mean and standard deviation.
-    pub(super) prior: Option<[f64; 2]>,
-    pub(super) bounds: Option<[f64; 2]>,
-}
 
 /// One row of the data, in SI units.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +22,18 @@ pub(super) struct DataRow {
     pub(super) leg: Leg,
     /// Its own σ_X and σ_Y.
     pub(super) sigma: [Option<f64>; 2],
+    pub(super) at: Moment,
+}
+
+/// When a row was recorded.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Moment {
+    /// The leg of the record, by its number.
+    pub(super) part: usize,
+    /// In s from the first row where times are known, else in shares of the record.
+    pub(super) time: f64,
+    /// X and time where this leg and the one before meet.
+    pub(super) turn: [f64; 2],
 }
 
 /// A measured curve and the numbers to be found from it. All numbers are in SI units.
@@ -71,6 +54,8 @@ pub struct Problem {
     pub(super) digits: Option<u32>,
     /// Whether intervals by the profile of the sum of squares are requested.
     pub(super) profile_likelihood: bool,
+    /// Which rows count.
+    pub(super) selection: Selection,
     /// How the text of the curve was read, where it was in a file, and a remark on it.
     pub(super) read: Option<(CurveText, Option<String>)>,
     pub(super) place: Location,
@@ -102,19 +87,33 @@ impl Problem {
             free: false,
             prior: None,
             bounds: None,
+            drift_unit: "1",
         };
         let mut parameters = vec![
             parameter(Kind::EffectiveModulus, "e_star", SiUnit::Pascal, None),
             parameter(Kind::WorkOfAdhesion, "work_of_adhesion", SiUnit::JoulePerSquareMetre, None),
         ];
+        if observation != Observation::ForceOfRadius {
+            for edge in [Edge::Advancing, Edge::Receding] {
+                let name = format!("{WORK}{}", edge.name());
+                parameters.push(parameter(Kind::Work(edge), &name, SiUnit::JoulePerSquareMetre, None));
+            }
+        }
         if observation.has_machine() {
             parameters.push(parameter(Kind::Stiffness, "stiffness", SiUnit::NewtonPerMetre, None));
+            parameters.push(parameter(Kind::Sensitivity, "sensitivity", SiUnit::One, Some(1.0)));
         }
         if !observation.sees_radius() {
             parameters.push(parameter(Kind::ContactPoint, "contact_point", SiUnit::Metre, Some(0.0)));
         }
         let of_baseline = if observation == Observation::DeflectionOfPosition { SiUnit::Metre } else { SiUnit::Newton };
         parameters.push(parameter(Kind::Baseline, "baseline", of_baseline, Some(0.0)));
+        if observation.has_depth() {
+            let of_slope = if of_baseline == SiUnit::Metre { SiUnit::One } else { SiUnit::NewtonPerMetre };
+            parameters.push(parameter(Kind::BaselineSlope, "baseline_slope", of_slope, Some(0.0)));
+            parameters.push(parameter(Kind::BaselineDrift, "baseline_drift", SiUnit::Unstated, Some(0.0)));
+            parameters.push(parameter(Kind::PositionDrift, "position_drift", SiUnit::Unstated, Some(0.0)));
+        }
         for (index, ((number, location), unit)) in profile.numbers().into_iter().zip(profile.units()).enumerate() {
             let name = location.key().trim_start_matches("profile.").to_owned();
             parameters.push(parameter(Kind::Profile(index), &name, unit, Some(number.nearest_f64())));
@@ -132,6 +131,7 @@ impl Problem {
             range_of_adhesion: None,
             digits: None,
             profile_likelihood: false,
+            selection: Selection::default(),
             read: None,
             place,
         })
@@ -163,6 +163,9 @@ impl Problem {
                     parameter.value = value.or(parameter.value);
                 }
                 Kind::Baseline if parameter.unit == SiUnit::Newton => parameter.unit = unit_of_force,
+                Kind::BaselineSlope if unit_of_force != SiUnit::Newton && parameter.unit == SiUnit::NewtonPerMetre => {
+                    parameter.unit = SiUnit::Pascal;
+                }
                 Kind::Stiffness if unit_of_force != SiUnit::Newton => parameter.unit = SiUnit::Pascal,
                 _ => {}
             }
@@ -181,14 +184,18 @@ impl Problem {
         self.parameters.iter().any(|parameter| parameter.kind == Kind::EffectiveModulus && parameter.name != "e_star")
     }
 
-    /// Makes these numbers unknown: `e_star`, `work_of_adhesion`, `stiffness`, `contact_point`, `baseline`, and the numbers of
+    /// Makes these numbers unknown: `e_star`, `work_of_adhesion` or `work_of_adhesion.advancing` and `work_of_adhesion.receding`,
+    /// `stiffness`, `sensitivity`, `contact_point`, `baseline`, `baseline_slope`, `baseline_drift`, `position_drift`, and the numbers of
     /// the profile by their keys, such as `radius`.
     ///
     /// # Errors
-    /// A name that the problem does not have.
+    /// A name that the problem does not have, or that is named twice.
     pub fn free<'n>(mut self, names: impl IntoIterator<Item = &'n str>) -> Result<Self> {
         for name in names {
-            self.parameter_mut(name, "fit.free")?.free = true;
+            let parameter = self.parameter_mut(name, "fit.free")?;
+            if std::mem::replace(&mut parameter.free, true) {
+                return Err(refuse("fit.free", format!("`{}` is named twice", excerpt(name))));
+            }
         }
         Ok(self)
     }
@@ -209,7 +216,12 @@ impl Problem {
     /// A name that the problem does not have; a number that is not finite, or not positive where it must be.
     pub fn start(mut self, name: &str, value: f64) -> Result<Self> {
         let parameter = self.parameter_mut(name, "fit.start")?;
-        parameter.start = Some(parameter.checked(value, "fit.start")?);
+        let value = parameter.checked(value, "fit.start")?;
+        if value == 0.0 && !parameter.kind.is_offset() {
+            let why = "is fitted by its logarithm: its start must be positive; `fixed` may be zero";
+            return Err(refuse("fit.start", format!("`{}` {why}", excerpt(name))));
+        }
+        parameter.start = Some(value);
         Ok(self)
     }
 
@@ -321,6 +333,27 @@ impl Problem {
         self.parameters.iter().find(|parameter| parameter.kind == kind)?.known()
     }
 
+    /// The work of adhesion at which contacts are about as large as this length, for a modulus of the medium: E* times the length on a
+    /// half-space.
+    pub(super) fn work_of_length(&self, modulus: f64, length: f64) -> f64 {
+        let unit = self.medium.of_modulus((), 1.0);
+        modulus * unit.map_or(length, |unit| unit.work_of_length(&length))
+    }
+
+    /// A row by what is known before a fit: without trends, and of a true deflection.
+    pub(super) fn seen(&self, row: &DataRow) -> [f64; 2] {
+        let known = |kind: Kind| self.known(kind).unwrap_or(0.0);
+        let [slope, drift] = [Kind::BaselineSlope, Kind::BaselineDrift].map(known);
+        let y = row.y - slope * (row.x - known(Kind::ContactPoint)) - drift * row.at.time;
+        let y = match self.known(Kind::Sensitivity) {
+            Some(sensitivity) if sensitivity != 1.0 => {
+                known(Kind::Baseline) + sensitivity * (y - known(Kind::Baseline))
+            }
+            _ => y,
+        };
+        [row.x - known(Kind::PositionDrift) * row.at.time, y]
+    }
+
     /// Whether the number of a kind is unknown.
     pub(super) fn is_free(&self, kind: Kind) -> bool {
         self.parameters.iter().any(|parameter| parameter.kind == kind && parameter.free)
@@ -352,94 +385,30 @@ impl Problem {
     /// A problem that cannot be fitted: nothing free, no more rows than unknowns, a missing number, all rows out of contact.
     /// Numbers that the data do not determine are no error, but a [status](Fit::status) of the answer.
     pub fn fit(&self) -> Result<Fit> {
-        super::drive::fit(self)
+        super::drive::fit(&super::select::selected(self)?)
+    }
+
+    /// Whether the edge has a work of adhesion of its own for each direction.
+    pub(super) fn has_two_works(&self) -> bool {
+        let is_given = |parameter: &Parameter| parameter.free || parameter.value.is_some();
+        self.parameters.iter().any(|parameter| matches!(parameter.kind, Kind::Work(_)) && is_given(parameter))
     }
 
     /// The unit of a number by its name; where there is none of this name, the name is what is refused.
     pub(super) fn unit_of(&self, name: &str) -> SiUnit {
-        let bare = name.strip_prefix("profile.").unwrap_or(name);
+        let bare = bare(name);
         let parameter = self.parameters.iter().find(|parameter| parameter.name == bare);
         parameter.map_or(SiUnit::Unstated, |parameter| parameter.unit)
     }
 
     fn parameter_mut(&mut self, name: &str, key: &str) -> Result<&mut Parameter> {
-        let bare = name.strip_prefix("profile.").unwrap_or(name);
+        let bare = bare(name);
         match self.parameters.iter().position(|parameter| parameter.name == bare) {
             Some(index) => Ok(&mut self.parameters[index]),
             None => {
                 let known: Vec<&str> = self.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
                 Err(refuse(key, mdr::reading::unknown_name_of_input("name", name, &known)))
             }
-        }
-    }
-}
-
-impl Parameter {
-    /// The unit as answers write it.
-    pub(super) fn unit_name(&self) -> &'static str {
-        match self.unit {
-            SiUnit::One => "1",
-            SiUnit::Degree => "degree",
-            SiUnit::JoulePerSquareMetre => "J/m^2",
-            SiUnit::Unstated => "SI",
-            unit => unit.symbol(),
-        }
-    }
-
-    /// The stated value of an unknown number: its start, or the mean of its prior.
-    pub(super) fn guess(&self) -> Option<f64> {
-        self.start.or(self.prior.map(|[mean, _]| mean))
-    }
-
-    /// The value of the number, or the starting value of an unknown one.
-    pub(super) fn known(&self) -> Option<f64> {
-        self.guess().filter(|_| self.free).or(self.value)
-    }
-
-    /// Whether a number that is fitted by its logarithm is negative.
-    pub(super) fn is_negative(&self) -> bool {
-        self.start.or(self.value).is_some_and(|value| value < 0.0)
-    }
-
-    /// The number, if it can be one of this parameter.
-    fn checked(&self, value: f64, key: &str) -> Result<f64> {
-        if self.kind.is_offset() || self.name == "amplitude" || self.name.ends_with(".amplitude") {
-            if value.is_finite() {
-                return Ok(value);
-            }
-            return Err(refuse(key, format!("`{}` must be finite, got {value}", excerpt(&self.name))));
-        }
-        positive(key, &self.name, value)
-    }
-}
-
-fn refuse(key: &str, why: impl Into<String>) -> Error {
-    Location::built(key).refuse(why)
-}
-
-fn positive(key: &str, name: &str, value: f64) -> Result<f64> {
-    if value > 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        Err(refuse(key, format!("`{}` must be positive and finite, got {value}", excerpt(name))))
-    }
-}
-
-fn not_negative(key: &str, value: f64) -> Result<f64> {
-    if value >= 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        Err(refuse(key, format!("must be a finite number, zero or above, got {value}")))
-    }
-}
-
-/// Terms of a sum may have the same keys: `radius`, `radius.2`, `radius.3`.
-fn number_repeated_names(parameters: &mut [Parameter]) {
-    let names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
-    for (index, parameter) in parameters.iter_mut().enumerate() {
-        let before = names[..index].iter().filter(|name| **name == names[index]).count();
-        if before > 0 {
-            parameter.name = format!("{}.{}", names[index], before + 1);
         }
     }
 }

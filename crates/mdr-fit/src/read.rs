@@ -6,8 +6,8 @@ use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
 
 use super::data::{self, Columns};
-use super::observation::{Loss, Observation};
-use super::problem::{DataRow, Problem};
+use super::observation::{Leg, Loss, Observation};
+use super::problem::{DataRow, Problem, WORK};
 use super::text::{self, Record};
 use mdr::files;
 use mdr::reading::Location;
@@ -86,18 +86,30 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     let data = top.section("data")?;
     let observation = data.required("observation")?.choice("observation", &Observation::NAMES)?;
     let pressed = medium.as_ref().map(Medium::read).transpose()?.unwrap_or_default();
-    let (record, sigma) = rows_of(&data, observation.units_on(&pressed), curve)?;
-    data.finish()?;
+    let (mask, saturation) = (data.optional("rows").filter(Value::is_table), data.optional("saturation"));
+    let (record, sigma) = rows_of(&data, observation.units_on(&pressed), curve, mask.is_some())?;
+    let times = times(&data, &record)?;
     let mut problem = Problem::with(profile, observation, record.rows, data.place())?;
     if let Some(section) = &medium {
         problem = problem.medium(pressed).map_err(|error| at(error, section.place()))?;
     }
     (problem.sigma, problem.read) = (sigma, record.text);
+    (problem.selection.missing, problem.selection.times) = (record.missing.len(), times);
+    problem = picked(problem, &data, mask)?;
+    if let Some(ends) = saturation {
+        let range = pair(&ends, data::si_unit(problem.units()[1]))?;
+        problem = problem.saturation(range).map_err(|error| at(error, ends.place()))?;
+    }
+    data.finish()?;
     if let Some(material) = top.optional_section("material")? {
         let known =
             if problem.has_modulus_of_medium() { &["work_of_adhesion"][..] } else { &["e_star", "work_of_adhesion"] };
         for key in known {
             if let Some(value) = material.optional(key) {
+                if value.is_table() {
+                    problem = each(problem, Some(value), WORK, Problem::fixed)?;
+                    continue;
+                }
                 let number = number(&value, problem.unit_of(key))?;
                 problem = problem.fixed(key, number).map_err(|error| at(error, value.place()))?;
             }
@@ -105,7 +117,9 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
         material.finish()?;
     }
     problem = control(problem, top.optional_section("control")?)?;
-    problem = unknowns(problem, &top.section("fit")?)?;
+    let fit = top.section("fit")?;
+    problem = picked(problem, &fit, fit.optional("rows"))?;
+    problem = unknowns(problem, &fit)?;
     if let Some(events) = top.optional_section("events")? {
         let unit = data::si_unit(problem.units()[0]);
         let [place, sigma] = [number(&events.required("pull_off")?, unit)?, number(&events.required("sigma")?, unit)?];
@@ -126,11 +140,54 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     Ok(problem)
 }
 
+/// The keys of `[data]`, or of `[fit]`, that say which rows count: `legs`, and `rows` where it is a table.
+fn picked(mut problem: Problem, section: &Section<'_>, rows: Option<Value<'_>>) -> Result<Problem> {
+    let units = problem.units().map(data::si_unit);
+    if let Some(legs) = section.optional("legs") {
+        let one = |leg: Leg| (leg.name(), Some(leg));
+        if let Some(leg) = legs.choice("legs", &[("both", None), one(Leg::Approach), one(Leg::Retract)])? {
+            problem = problem.only(leg);
+        }
+    }
+    if let Some(rows) = rows {
+        let table = rows.section()?;
+        let mut within = [None; 2];
+        for ((key, unit), within) in ["x", "y"].into_iter().zip(units).zip(&mut within) {
+            *within = table.optional(key).map(|ends| pair(&ends, unit)).transpose()?;
+        }
+        table.finish()?;
+        problem = problem.within(within[0], within[1]).map_err(|error| at(error, rows.place()))?;
+    }
+    Ok(problem)
+}
+
+/// Two numbers.
+fn pair(value: &Value<'_>, unit: SiUnit) -> Result<[f64; 2]> {
+    let ends: Vec<f64> = value.list()?.iter().map(|end| number(end, unit)).collect::<Result<_>>()?;
+    <[f64; 2]>::try_from(ends).map_err(|ends| value.refuse(format!("expected two numbers, got {}", ends.len())))
+}
+
+/// The time of each row that has numbers: of a column, or of a list.
+fn times(data: &Section<'_>, record: &Record) -> Result<Option<Vec<f64>>> {
+    let Some(value) = data.optional("time") else {
+        return Ok(record.has_times.then(|| record.rows.iter().map(|row| row.at.time).collect()));
+    };
+    let list = value.list_of(data::MOST_ROWS, data::FEWER_ROWS)?;
+    let list: Vec<f64> = list.iter().map(|time| number(time, SiUnit::One)).collect::<Result<_>>()?;
+    let count = record.rows.len() + record.missing.len();
+    if list.len() != count {
+        return Err(value.refuse(format!("{} times are given for {count} rows", list.len())));
+    }
+    let kept = list.into_iter().enumerate().filter(|(index, _)| record.missing.binary_search(index).is_err());
+    Ok(Some(kept.map(|(_, time)| time).collect()))
+}
+
 /// The table `[data]`: rows in a file beside it, or of the `curve` instead, or in it; and their standard deviations.
 fn rows_of(
     data: &Section<'_>,
     bases: [&'static str; 2],
     curve: Option<Curve<'_>>,
+    has_mask: bool,
 ) -> Result<(Record, [Option<f64>; 2])> {
     let mut columns = Columns::default();
     if let Some(value) = data.optional("columns") {
@@ -142,8 +199,11 @@ fn rows_of(
             };
             names.optional(key).map(name).transpose()
         };
-        (columns.x, columns.y, columns.leg) = (name("x")?, name("y")?, name("leg")?);
+        (columns.x, columns.y, columns.leg, columns.time) = (name("x")?, name("y")?, name("leg")?, name("time")?);
         names.finish()?;
+    }
+    if let Some(missing) = data.optional("missing") {
+        columns.skips_missing = missing.choice("missing", &[("refuse", false), ("skip", true)])?;
     }
     columns.units = data.optional("units").map(|units| pair_of_units(&units)).transpose()?;
     let mut sigma = [None; 2];
@@ -160,9 +220,9 @@ fn rows_of(
         // Zero says that nothing is known of it; σ_X = 0 asks for vertical distances.
         sigma[1] = sigma[1].filter(|sigma| *sigma > 0.0);
     }
-    let (which, value) = data.one_of(&["file", "rows", "x"])?;
-    let rows = match which {
-        0 => {
+    let (which, value) = if has_mask { data.one_of(&["file", "x"])? } else { data.one_of(&["file", "rows", "x"])? };
+    let (rows, missing) = match (which, has_mask) {
+        (0, _) => {
             let own = match curve {
                 Some(_) => Vec::new(),
                 None => value.bytes(value.text()?)?,
@@ -174,33 +234,39 @@ fn rows_of(
             let bytes = curve.map_or(own.as_slice(), |curve| curve.bytes);
             return Ok((text::read(bytes, &columns, bases).map_err(refuse)?, sigma));
         }
-        1 => inline(&value, &columns, bases)?,
+        (1, false) => inline(&value, &columns, bases)?,
         _ => {
             let list = |value: &Value<'_>, axis: usize| -> Result<Vec<f64>> {
                 let list = value.list_of(data::MOST_ROWS, data::FEWER_ROWS)?;
                 list.iter().map(|item| in_si(item, &columns, axis, bases)).collect()
             };
-            data::rows(&list(&value, 0)?, &list(&data.required("y")?, 1)?, None)?
+            (data::rows(&list(&value, 0)?, &list(&data.required("y")?, 1)?, None)?, Vec::new())
         }
     };
-    Ok((Record { rows, text: None }, sigma))
+    Ok((Record { rows, text: None, missing, has_times: false }, sigma))
 }
 
 /// Rows `[[x, y], …]`, or with their leg `[x, y, "approach"]`.
-fn inline(value: &Value<'_>, columns: &Columns, bases: [&str; 2]) -> Result<Vec<DataRow>> {
-    let (mut points, mut legs) = (Vec::new(), Vec::new());
+fn inline(value: &Value<'_>, columns: &Columns, bases: [&str; 2]) -> Result<(Vec<DataRow>, Vec<usize>)> {
+    let (mut points, mut legs, mut missing) = (Vec::new(), Vec::new(), Vec::new());
     for row in value.list_of(data::MOST_ROWS, data::FEWER_ROWS)? {
         let items = row.list()?;
         let [x, y, rest @ ..] = items.as_slice() else {
             return Err(row.refuse(format!("a row is [x, y], got {} numbers", items.len())));
         };
+        let is_missing = |value: &Value<'_>| value.text().is_ok_and(data::is_no_number);
+        if columns.skips_missing && (is_missing(x) || is_missing(y)) {
+            missing.push(points.len() + missing.len());
+            continue;
+        }
         points.push([in_si(x, columns, 0, bases)?, in_si(y, columns, 1, bases)?]);
         if let [leg] = rest {
             legs.push(data::leg_of(leg.text()?).ok_or_else(|| leg.refuse("a leg is `approach` or `retract`"))?);
         }
     }
     let axis = |axis: usize| points.iter().map(|point| point[axis]).collect::<Vec<f64>>();
-    data::rows(&axis(0), &axis(1), Some(legs.as_slice()).filter(|legs| legs.len() == points.len()))
+    let rows = data::rows(&axis(0), &axis(1), Some(legs.as_slice()).filter(|legs| legs.len() == points.len()))?;
+    Ok((rows, missing))
 }
 
 /// A number of the data, in SI.
@@ -254,8 +320,8 @@ fn unknowns(mut problem: Problem, section: &Section<'_>) -> Result<Problem> {
     for name in free.list()? {
         problem = problem.free([name.text()?]).map_err(|error| at(error, name.place()))?;
     }
-    problem = each(problem, section.optional("fixed"), Problem::fixed)?;
-    problem = each(problem, section.optional("start"), Problem::start)?;
+    problem = each(problem, section.optional("fixed"), "", Problem::fixed)?;
+    problem = each(problem, section.optional("start"), "", Problem::start)?;
     if let Some(priors) = section.optional("prior") {
         for (name, value) in priors.section()?.entries() {
             let (prior, unit) = (value.section()?, problem.unit_of(&name));
@@ -266,10 +332,7 @@ fn unknowns(mut problem: Problem, section: &Section<'_>) -> Result<Problem> {
     }
     if let Some(bounds) = section.optional("bounds") {
         for (name, value) in bounds.section()?.entries() {
-            let unit = problem.unit_of(&name);
-            let ends: Vec<f64> = value.list()?.iter().map(|end| number(end, unit)).collect::<Result<_>>()?;
-            let ends = <[f64; 2]>::try_from(ends)
-                .map_err(|ends| value.refuse(format!("expected two bounds, got {}", ends.len())))?;
+            let ends = pair(&value, problem.unit_of(&name))?;
             problem = problem.bounds(&name, ends).map_err(|error| at(error, value.place()))?;
         }
     }
@@ -281,14 +344,20 @@ fn unknowns(mut problem: Problem, section: &Section<'_>) -> Result<Problem> {
     Ok(problem)
 }
 
-/// A number for each name of a table.
+/// A number for each name of a table; two for `work_of_adhesion` where it is a table itself. The names have this prefix.
 fn each(
     mut problem: Problem,
     table: Option<Value<'_>>,
+    prefix: &str,
     set: fn(Problem, &str, f64) -> Result<Problem>,
 ) -> Result<Problem> {
     let Some(table) = table else { return Ok(problem) };
     for (name, value) in table.section()?.entries() {
+        let name = format!("{prefix}{name}");
+        if name == "work_of_adhesion" && value.is_table() {
+            problem = each(problem, Some(value), WORK, set)?;
+            continue;
+        }
         let number = number(&value, problem.unit_of(&name))?;
         problem = set(problem, &name, number).map_err(|error| at(error, value.place()))?;
     }

@@ -49,10 +49,10 @@ fn with(fit: &Fit, problem: &Problem, length: Option<f64>) -> Option<SmoothedFit
     (other.profile_likelihood, other.range_of_adhesion) = (false, None);
     for parameter in &mut other.parameters {
         if let Some(estimate) = fit.estimate(&parameter.name).filter(|_| parameter.free) {
-            parameter.start = estimate.value;
+            parameter.start = estimate.value.filter(|value| *value != 0.0 || parameter.kind.is_offset());
         }
     }
-    let found = drive::fit_from(&other, &[Source::Given]).ok()?;
+    let found = drive::fit_from(&other, &[Source::Given]).ok()?.fit;
     let estimates = found.parameters.iter().map(|estimate| estimate.value).collect();
     Some(SmoothedFit { length, estimates, rss: found.rss })
 }

@@ -6,10 +6,12 @@ use mdr_numeric::folds;
 use nalgebra::{DMatrix, DVector};
 
 use super::contact::Tip;
+use super::edges;
 use super::hypotheses;
 use super::objective::Objective;
 use super::observation::{Leg, Observation};
 use super::problem::{Kind, Problem};
+use super::trends;
 use mdr::scene::Profile;
 
 /// Materials to try, w/E* against the span of depths: three in a decade.
@@ -53,8 +55,9 @@ pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<(&'st
     let problem = objective.problem;
     let given = (0..objective.free.len()).map(|place| {
         let parameter = objective.parameter(place);
-        let is_profile = matches!(parameter.kind, Kind::Profile(_) | Kind::Stiffness);
-        parameter.guess().or(parameter.value.filter(|_| is_profile))
+        let is_trend = parameter.kind.is_trend() && source == Source::Given;
+        let is_profile = matches!(parameter.kind, Kind::Profile(_) | Kind::Stiffness | Kind::Sensitivity);
+        parameter.guess().or(parameter.value.filter(|_| is_profile || is_trend))
     });
     let given: Vec<Option<f64>> = given.collect();
     let complete = |found: &dyn Fn(Kind) -> Option<f64>, keep: bool| -> Option<Vec<f64>> {
@@ -69,23 +72,50 @@ pub(super) fn candidates(objective: &Objective<'_>, source: Source) -> Vec<(&'st
         return complete(&|_| None, true).map(|start| ("given", start)).into_iter().collect();
     }
     let mut candidates = Vec::new();
-    for (name, [e_star, work, contact_point, baseline]) in from_data(problem, source) {
-        let of = |kind: Kind| match kind {
-            Kind::EffectiveModulus => Some(e_star),
-            Kind::WorkOfAdhesion => Some(work),
-            Kind::ContactPoint => Some(contact_point),
-            Kind::Baseline => Some(baseline),
-            _ => None,
+    for problem in trends::variants(problem) {
+        let found = if problem.has_two_works() {
+            edges::from_legs(objective, &problem, source)
+        } else {
+            let one = |(name, [e_star, work, contact_point, baseline]): (_, [f64; 4])| {
+                (name, Start { e_star, works: [work; 2], contact_point, baseline })
+            };
+            from_data(&problem, source).into_iter().map(one).collect()
         };
-        let completed = [true, false].into_iter().filter_map(|keep| complete(&of, keep));
-        candidates.extend(completed.map(|start| (name, start)));
+        for (name, found) in found {
+            let of = |kind: Kind| found.of(kind).or_else(|| problem.known(kind).filter(|_| kind.is_trend()));
+            let completed = [true, false].into_iter().filter_map(|keep| complete(&of, keep));
+            candidates.extend(completed.map(|start| (name, start)));
+        }
     }
     candidates.dedup_by(|one, other| one.1 == other.1);
     candidates
 }
 
+/// Numbers that a record tells.
+#[derive(Clone, Copy)]
+pub(super) struct Start {
+    pub(super) e_star: f64,
+    /// Of an edge that advances, and that recedes.
+    pub(super) works: [f64; 2],
+    pub(super) contact_point: f64,
+    pub(super) baseline: f64,
+}
+
+impl Start {
+    pub(super) fn of(&self, kind: Kind) -> Option<f64> {
+        match kind {
+            Kind::EffectiveModulus => Some(self.e_star),
+            Kind::WorkOfAdhesion => Some(self.works[0]),
+            Kind::Work(edge) => Some(self.works[edge as usize]),
+            Kind::ContactPoint => Some(self.contact_point),
+            Kind::Baseline => Some(self.baseline),
+            _ => None,
+        }
+    }
+}
+
 /// E*, w, contact point and baseline by the record, the likeliest first.
-fn from_data(problem: &Problem, source: Source) -> Vec<(&'static str, [f64; 4])> {
+pub(super) fn from_data(problem: &Problem, source: Source) -> Vec<(&'static str, [f64; 4])> {
     let numbers: Vec<f64> = problem
         .parameters
         .iter()
@@ -114,7 +144,7 @@ fn from_data(problem: &Problem, source: Source) -> Vec<(&'static str, [f64; 4])>
 fn record(problem: &Problem) -> Record {
     let retracts = problem.rows.iter().any(|row| row.leg == Leg::Retract);
     let rows: Vec<[f64; 2]> =
-        problem.rows.iter().filter(|row| !retracts || row.leg == Leg::Retract).map(|row| [row.x, row.y]).collect();
+        problem.rows.iter().filter(|row| !retracts || row.leg == Leg::Retract).map(|row| problem.seen(row)).collect();
     // Under a dead load nothing is seen of a contact that is broken.
     let has_tail = problem.observation != Observation::IndentationOfForce;
     let last = pull_off(&rows).filter(|_| has_tail);

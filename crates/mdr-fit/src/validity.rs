@@ -1,6 +1,6 @@
 //! Whether the theory holds for the fitted contact.
 
-use mdr_core::contact::Elasticity;
+use mdr_core::contact::{Edge, Elasticity};
 use mdr_core::number::{Exact, Literal};
 
 use super::answer::{Fit, FitStatus};
@@ -16,7 +16,8 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem, numbers: &Numbers<f64>) -> R
     let fitted: Vec<Literal> =
         numbers.profile.iter().map(|number| number.exact()).collect::<std::result::Result<_, _>>()?;
     let profile = problem.profile.with_numbers(&mut fitted.into_iter());
-    let scene = Scene::new(profile, Elasticity::effective(numbers.e_star)?, numbers.work)?;
+    let own = numbers.of_edge(Some(Edge::Receding));
+    let scene = Scene::new(profile, Elasticity::effective(numbers.e_star)?, own.work)?;
     let validity = scene.range_of_adhesion(range)?.arithmetic(Arithmetic::Double).validity()?;
     if validity.regime != mdr::validity::AdhesionRegime::Jkr {
         fit.warnings.push(validity.advice());

@@ -7,7 +7,7 @@ use super::descents::Attempt;
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::observation::Observation;
-use super::problem::Kind;
+use super::problem::{Kind, Problem};
 use mdr::scene::Profile;
 
 /// A singular value below this share of the largest leaves a direction nearly open.
@@ -56,8 +56,12 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
     }
     let widest = fit.rows.iter().filter_map(|row| row.contact_radius).fold(0.0, f64::max);
     let numbers = &minimum.evaluation.numbers;
+    let cycles = fit.legs.iter().filter(|leg| leg.leg == super::observation::Leg::Retract).count();
+    if cycles > 1 {
+        warnings.push(format!("the record has {cycles} cycles; all of them are fitted by one set of numbers"));
+    }
     if let Some(stiffness) = numbers.stiffness {
-        let ratio = minimum.evaluation.contact(problem.observation).stiffness(&widest).unwrap_or(0.0) / stiffness;
+        let ratio = minimum.evaluation.contact(problem.observation, 0).stiffness(&widest).unwrap_or(0.0) / stiffness;
         if ratio > 10.0 {
             warnings.push(format!(
                 "the contact is {ratio:.0} times stiffer than the machine, {}, so that the curve shows the machine rather than \
@@ -74,10 +78,14 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
         warnings.push(format!("the contact is not small: a/R reaches {:.2}", widest / radius));
     }
     if let Some(test) = fit.runs_test.filter(|test| test.p < 0.01) {
+        let residuals: Vec<f64> = fit.rows.iter().map(|row| row.residual).collect();
         warnings.push(format!(
             "the residuals are not random: {} runs of equal sign where {:.0} are expected (p = {:.1e}); the standard errors are \
-             too small if they are correlated",
-            test.runs, test.expected, test.p
+             too small if they are correlated, by their autocorrelation {:.1} times",
+            test.runs,
+            test.expected,
+            test.p,
+            widening(&residuals)
         ));
     }
     if let (Some(chi2), Some(p)) = (fit.chi2, fit.chi2_p)
@@ -95,6 +103,41 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
         );
     }
     fit.warnings = warnings;
+}
+
+/// So many rows in a row with the largest or the smallest Y are a detector at its end.
+const SATURATED: usize = 5;
+
+/// Warns of rows at which the detector seems to be at its end.
+pub(super) fn of_rows(fit: &mut Fit, problem: &Problem) {
+    let values = || problem.rows.iter().map(|row| row.y);
+    let ends = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
+    for end in ends {
+        let longest =
+            problem.rows.chunk_by(|one, other| one.y == other.y).filter(|run| run[0].y == end).map(<[_]>::len).max();
+        if let Some(count) = longest.filter(|count| *count >= SATURATED) {
+            fit.warnings.push(format!(
+                "{count} rows one after the other have y = {end:.4e} {}, the most extreme of all: a detector at its end? leave them out by \
+                 saturation = [lowest, highest]",
+                problem.observation.units()[1]
+            ));
+        }
+    }
+}
+
+/// By how much correlated residuals make standard errors too small: the root of the sum of their autocorrelation, up to where it vanishes.
+fn widening(residuals: &[f64]) -> f64 {
+    let power: f64 = residuals.iter().map(|residual| residual * residual).sum();
+    let mut sum = 1.0;
+    for lag in 1..residuals.len() / 4 {
+        let products = residuals.iter().zip(&residuals[lag..]).map(|(one, other)| one * other);
+        let correlation = products.sum::<f64>() / power;
+        if !(correlation > 0.0) {
+            break;
+        }
+        sum += 2.0 * correlation;
+    }
+    sum.sqrt()
 }
 
 /// Warns of another minimum that these data do not exclude: χ² rises by less than nine, three standard deviations of one number.

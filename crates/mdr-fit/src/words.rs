@@ -30,6 +30,68 @@ impl Fit {
         text
     }
 
+    /// The limits of numbers that the rows do not determine, a row for each: name, ends, level and unit.
+    pub fn limit_rows(&self) -> Vec<[String; 5]> {
+        let end = |end: Option<f64>| end.map_or_else(|| "open".to_owned(), |end| format!("{end:.4e}"));
+        let level = |level: Option<f64>| level.map_or_else(String::new, |level| format!("{:.0} %", 100.0 * level));
+        let limits = self.limits.iter();
+        limits
+            .map(|limit| {
+                [limit.name.clone(), end(limit.lower), end(limit.upper), level(limit.level), limit.unit.to_owned()]
+            })
+            .collect()
+    }
+
+    /// How the estimates follow the given numbers: a header, and a row for each estimate.
+    pub fn budget_table(&self) -> (Vec<String>, Vec<Vec<String>>) {
+        let mut given: Vec<&str> = self.budget.iter().map(|entry| entry.of.as_str()).collect();
+        given.dedup();
+        let header = std::iter::once("follows, per ln".to_owned()).chain(given.iter().map(|of| (*of).to_owned()));
+        let header = header.chain(["unit".to_owned()]).collect();
+        let mut rows = Vec::new();
+        for estimate in &self.parameters {
+            let own: Vec<_> = self.budget.iter().filter(|entry| entry.name == estimate.name).collect();
+            let Some(first) = own.first() else { continue };
+            let name = if first.unit == "1" { format!("ln {}", estimate.name) } else { estimate.name.clone() };
+            let slope = |of: &&str| {
+                let entry = own.iter().find(|entry| entry.of == **of);
+                entry.map_or_else(String::new, |entry| {
+                    if entry.unit == "1" { format!("{:.3}", entry.slope) } else { format!("{:.2e}", entry.slope) }
+                })
+            };
+            let cells = given.iter().map(slope);
+            rows.push(std::iter::once(name).chain(cells).chain([first.unit.to_owned()]).collect());
+        }
+        (header, rows)
+    }
+
+    /// Adhesion force, force before the jump and work of separation, a row for each: meaning, value, standard error and unit.
+    pub fn quantity_rows(&self) -> Vec<[String; 4]> {
+        let row = |quantity: &crate::FitQuantity| {
+            let stderr = quantity.stderr.map_or_else(String::new, |stderr| format!("{stderr:.1e}"));
+            [quantity.label.to_owned(), format!("{:.5e}", quantity.value), stderr, quantity.unit.to_owned()]
+        };
+        self.quantities.iter().map(row).collect()
+    }
+
+    /// The residuals of each leg, a row for each.
+    pub fn leg_rows(&self) -> Vec<[String; 6]> {
+        let row = |leg: &crate::FittedLeg| {
+            let mean = leg.mean_square.map_or_else(String::new, |mean| format!("{mean:.3}"));
+            let p = leg.runs_test.map_or_else(String::new, |test| format!("{:.3}", test.p));
+            let [rows, contact, pinned] = [leg.rows, leg.in_contact, leg.pinned].map(|count| count.to_string());
+            [leg.leg.name().to_owned(), rows, contact, pinned, mean, p]
+        };
+        self.legs.iter().map(row).collect()
+    }
+
+    /// How many rows do not count and why, in a sentence; `None` if all count.
+    pub fn left_out(&self) -> Option<String> {
+        let reasons: Vec<String> =
+            self.skipped.iter().map(|skipped| format!("{} {}", skipped.rows, skipped.why)).collect();
+        (!reasons.is_empty()).then(|| format!("Rows left out: {}.", reasons.join(", ")))
+    }
+
     /// Which starts led where, in a sentence.
     pub fn attempts(&self) -> String {
         let ends: Vec<String> = self

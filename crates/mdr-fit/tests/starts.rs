@@ -382,3 +382,58 @@ fn intervals_of_four_numbers_cover_as_often_as_they_say() {
         }
     }
 }
+
+/// The coverage of docs/fit.md: five tips, x exact or with an error, σ stated or not; `MDR_COVERAGE` curves of each tip, 200 by default.
+#[test]
+#[ignore = "minutes; prints the table of docs/fit.md"]
+fn coverage_of_five_tips() {
+    let each: u64 = std::env::var("MDR_COVERAGE").ok().and_then(|count| count.parse().ok()).unwrap_or(200);
+    let numbers = [("e_star", E_STAR), ("work_of_adhesion", USUAL.work)];
+    for (has_error, is_stated) in [(false, true), (false, false), (true, true), (true, false)] {
+        let (mut inside, mut count, mut others) = ([[0.0_f64; 2]; 2], 0.0, 0);
+        for (which, tip) in tips().iter().enumerate() {
+            for seed in 1..=each {
+                let mut normal = Normal(seed * 104_729 + 17 + 1_000_003 * which as u64);
+                normal.next();
+                let end = 1.2 + 0.3 * normal.uniform();
+                let record = Record { seed: seed + 100_000 * (1 + which as u64), rows: 200, end, ..USUAL };
+                let mut curve = record.curve(tip);
+                // Of the depth of the last row, 1 %.
+                let sigma = 1e-2 * (curve.x[curve.x.len() - 1] - CONTACT_POINT).abs();
+                if has_error {
+                    curve.x.iter_mut().for_each(|x| *x += sigma * normal.next());
+                }
+                let mut problem = record.problem(tip, &curve, &FOUR);
+                if has_error {
+                    problem = problem.sigma_x(sigma).unwrap();
+                }
+                if !is_stated && !has_error {
+                    problem = problem.sigma_y(0.0).unwrap();
+                }
+                let fit = problem.fit().unwrap();
+                if fit.status != FitStatus::Fitted {
+                    others += 1;
+                    continue;
+                }
+                count += 1.0;
+                for ((name, made), inside) in numbers.into_iter().zip(&mut inside) {
+                    let estimate = fit.estimate(name).unwrap();
+                    // Scaled by the residuals where σ is to be taken as known up to a factor.
+                    let stderr = if is_stated { estimate.stderr } else { estimate.scaled_stderr }.unwrap();
+                    let pull = ((estimate.value.unwrap() - made) / stderr).abs();
+                    for (share, limit) in inside.iter_mut().zip([1.0, 2.0]) {
+                        *share += f64::from(u8::from(pull < limit));
+                    }
+                }
+            }
+        }
+        let shares = inside.map(|inside| inside.map(|inside| 100.0 * inside / count));
+        println!(
+            "x with an error: {has_error}, σ stated: {is_stated}, {count} curves, {others} not fitted: {shares:.1?}"
+        );
+        for [one, two] in shares {
+            let deviations = |share: f64, right: f64| (share - right).abs() / (right * (100.0 - right) / count).sqrt();
+            assert!(deviations(one, 68.27) < 4.0 && deviations(two, 95.45) < 5.0, "{one} {two}");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! The picture of a fit: data with their labels and the fitted arcs, residuals, contact radius.
 
-use mdr_fit::{Fit, FittedRow, Observation};
+use mdr_fit::{Fit, FittedRow, Leg, Observation};
 
 use crate::chart::{Colour, Layer, Mark, Panel, Picture, Point, Stroke};
 use crate::{Axis, Unit, typographic};
@@ -44,20 +44,33 @@ fn panel(fit: &Fit, heading: &str, y: Axis, height: impl Fn(&FittedRow) -> Optio
     let mut labels: Vec<i32> = fit.rows.iter().map(|row| row.label).collect();
     labels.sort_unstable();
     labels.dedup();
+    let has_both = fit.legs.len() > 1;
     for label in labels {
         let (name, mark, colour) = match label {
             ..0 => ("detached".to_owned(), Mark::Cross, Colour::Grey),
             0 => ("in contact".to_owned(), Mark::Open, Colour::series(0)),
             arc => (format!("in contact, arc {arc}"), Mark::Open, Colour::series(arc as usize)),
         };
-        let rows = fit.rows.iter().filter(|row| row.label == label);
-        let points: Vec<Point> = rows.filter_map(|row| Some([row.x, height(row)?])).collect();
-        if !points.is_empty() {
-            panel.layers.push(Layer::marks(name.clone(), points, mark).coloured(colour).meaning(name));
+        let legs: &[Option<Leg>] =
+            if has_both && label >= 0 { &[Some(Leg::Retract), Some(Leg::Approach)] } else { &[None] };
+        for leg in legs {
+            // The approach has colours of its own, after those of the arcs.
+            let (name, colour) = match leg {
+                Some(Leg::Approach) => (format!("{name}, approach"), Colour::series(APPROACH + label as usize)),
+                _ => (name.clone(), colour),
+            };
+            let rows = fit.rows.iter().filter(|row| row.label == label && leg.is_none_or(|leg| row.leg == leg));
+            let points: Vec<Point> = rows.filter_map(|row| Some([row.x, height(row)?])).collect();
+            if !points.is_empty() {
+                panel.layers.push(Layer::marks(name.clone(), points, mark).coloured(colour).meaning(name));
+            }
         }
     }
     panel
 }
+
+/// The colour of the first arc of an approach.
+const APPROACH: usize = 4;
 
 fn curve(fit: &Fit) -> Panel {
     let [_, quantity] = names(fit.observation);

@@ -1,6 +1,7 @@
 """Fits, and whether the theory holds."""
 
 import json
+from typing import Any
 
 import numpy as np
 import pytest
@@ -109,3 +110,61 @@ def test_a_scene_and_a_contact_say_it() -> None:
     assert mdr.solve(tip.scene("force", want=["folds"])).validity is None
     with pytest.raises(mdr.SceneError, match="range_of_adhesion"):
         tip.validity(0)
+
+
+class _Axes:
+    """What a plot needs of the axes of matplotlib."""
+
+    def __init__(self) -> None:
+        self.lines: list[tuple[str | None, int]] = []
+
+    def plot(self, x: mdr.Floats, y: mdr.Floats, *_: str, **look: Any) -> None:
+        assert len(x) == len(y) > 0
+        self.lines.append((look["label"], look["zorder"]))
+
+    def set_xlabel(self, text: str) -> None:
+        assert "m" in text
+
+    def set_ylabel(self, text: str) -> None:
+        assert "N" in text
+
+    def legend(self) -> None:
+        pass
+
+
+def test_rows_that_do_not_count_and_columns_of_a_fit(curve: tuple[mdr.Floats, mdr.Floats]) -> None:
+    x, y = (column.copy() for column in curve)
+    y[3] = np.nan
+    given: dict[str, Any] = {"profile": mdr.Paraboloid(radius=1e-5), "observation": "F(d)"}
+    with pytest.raises(ValueError, match="missing='skip'"):
+        mdr.fit(x, y, **given)
+    lowest = float(np.sort(x)[1])
+    found = mdr.fit(x, y, missing="skip", rows={"x": (lowest, 1.0)}, time=np.arange(len(x)), **given)
+    assert found.skipped == {"not a number": 1, "outside of x": 1}
+    assert len(found.x) == len(x) - 2 == len(found.fitted)
+    sigma = json.loads(found.to_json())["sigma"][1]
+    np.testing.assert_allclose((found.fitted - found.y) / sigma, found.residuals, rtol=1e-6, atol=1e-9)
+    assert found.quantities["adhesion_force"]["unit"] == "N"
+    assert found.budget["work_of_adhesion", "radius"] < 0.0
+    assert list(found._columns()) == ["x", "y", "leg", "label", "fitted", "residual", "contact_radius", "pinned"]
+    axes = _Axes()
+    assert found.plot(axes) is axes
+    orders = dict(axes.lines)
+    assert orders["fit"] > orders["in contact, retract"]
+
+
+def test_two_works_of_adhesion_may_be_given(curve: tuple[mdr.Floats, mdr.Floats]) -> None:
+    x, y = curve
+    found = mdr.fit(
+        x,
+        y,
+        profile=mdr.Paraboloid(radius=1e-5),
+        observation="F(d)",
+        free=["e_star", "receding"],
+        work_of_adhesion={"advancing": 0},
+        legs="retract",
+    )
+    assert found["receding"].name == "work_of_adhesion.receding"
+    assert found.legs[0]["leg"] == "retract"
+    with pytest.raises(mdr.SceneError, match="named twice"):
+        mdr.fit(x, y, profile=mdr.Paraboloid(radius=1e-5), observation="F(d)", free=["e_star", "e_star"])

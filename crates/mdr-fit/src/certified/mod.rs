@@ -113,6 +113,12 @@ fn possible(objective: &Objective<'_>, minimum: &Minimum) -> std::result::Result
         "with the place of the pull-off as a datum"
     } else if (0..fitted.len()).any(|place| objective.at_bound(place, fitted[place])) {
         "of a number at its bound"
+    } else if problem.has_two_works() {
+        "with two works of adhesion"
+    } else if minimum.evaluation.numbers.trends.iter().any(|trend| *trend != 0.0) {
+        "with a slope or a drift"
+    } else if minimum.evaluation.numbers.work == 0.0 {
+        "without adhesion"
     } else if !problem.medium.is_half_space() {
         "on another medium than a half-space"
     } else if !matches!(problem.profile, Profile::Shape(_)) {

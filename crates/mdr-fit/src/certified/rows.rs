@@ -63,7 +63,9 @@ pub(super) fn rows(
             }
             Some(foot) if !foot.is_end && scales.x.is_none() => Foot::Vertical(foot.s),
             Some(foot) if !foot.is_end => Foot::Nearest(foot.s),
-            Some(foot) if evaluation.arcs[evaluation.labels[index] - 1].is_fold(foot.s) => Foot::Fold(foot.s),
+            Some(foot) if evaluation.arc(row, evaluation.labels[index]).is_some_and(|arc| arc.is_fold(foot.s)) => {
+                Foot::Fold(foot.s)
+            }
             Some(_) => return Err("certified digits are not given with rows beyond an end that is no fold".to_owned()),
         };
         let y_scale = exact(scales.y)?;

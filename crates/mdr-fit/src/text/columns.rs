@@ -176,7 +176,7 @@ impl<'c> Choice<'c> {
         }
     }
 
-    fn unit(&self, place: usize) -> Option<&str> {
+    pub(super) fn unit(&self, place: usize) -> Option<&str> {
         self.units.get(place)?.as_deref()
     }
 

@@ -12,7 +12,7 @@ use self::columns::Choice;
 use self::layout::{Layout, Lines, Separator};
 use crate::data::{self, Columns, MOST_ROWS};
 use crate::observation::Leg;
-use crate::problem::DataRow;
+use crate::problem::{DataRow, Moment};
 
 /// How the text of a curve was read.
 ///
@@ -106,6 +106,10 @@ pub(super) struct Record {
     pub(super) rows: Vec<DataRow>,
     /// How its text was read, and a remark that belongs to the warnings.
     pub(super) text: Option<(CurveText, Option<String>)>,
+    /// The rows that were left out since they have no number, by their place among all.
+    pub(super) missing: Vec<usize>,
+    /// Whether the rows have times.
+    pub(super) has_times: bool,
 }
 
 /// Reads the rows of a text: lines of numbers between commas, semicolons, tabs or blanks, below what an instrument writes above them.
@@ -130,11 +134,19 @@ pub(super) fn read(bytes: &[u8], columns: &Columns, bases: [&str; 2]) -> Result<
     }
     let mut cells = Cells { layout: &layout, bases, mark: None };
     let (mut read, mut legs, mut empty) = (Vec::with_capacity(rows.len()), Vec::new(), 0);
+    let time = optional(&columns.time)?;
+    let second = time.map(|place| data::second(choice.unit(place).unwrap_or(""))).transpose()?.unwrap_or(1.0);
+    let mut missing = Vec::new();
     for line in rows {
         let row = Row { line: line.number, fields: layout.separator.fields(line.text) };
         cells.check(&row)?;
         if places.iter().all(|place| row.fields.get(*place).is_none_or(|field| field.is_empty())) {
             empty += 1;
+            continue;
+        }
+        let is_missing = |place: &usize| row.fields.get(*place).is_none_or(|field| data::is_no_number(field));
+        if columns.skips_missing && places.iter().any(is_missing) {
+            missing.push(read.len() + missing.len());
             continue;
         }
         let own = match leg {
@@ -150,7 +162,8 @@ pub(super) fn read(bytes: &[u8], columns: &Columns, bases: [&str; 2]) -> Result<
         if let Some(sigma) = sigma.iter().flatten().find(|sigma| **sigma <= 0.0) {
             return Err(format!("line {}: a standard deviation must be positive, got {sigma}", line.number));
         }
-        read.push(DataRow { x, y, leg: Leg::Retract, sigma });
+        let time = time.map_or(Ok(0.0), |place| cells.time(&row, place))? * second;
+        read.push(DataRow { x, y, leg: Leg::Retract, sigma, at: Moment { time, ..Moment::default() } });
     }
     let by_order = data::legs_by_order(&read.iter().map(|row: &DataRow| row.x).collect::<Vec<_>>());
     for ((row, given), found) in read.iter_mut().zip(&legs).zip(by_order) {
@@ -172,7 +185,8 @@ pub(super) fn read(bytes: &[u8], columns: &Columns, bases: [&str; 2]) -> Result<
             None => "order",
         },
     };
-    Ok(Record { rows: read, text: Some((text, choice.others(columns, places))) })
+    let has_times = time.is_some();
+    Ok(Record { rows: read, text: Some((text, choice.others(columns, places))), missing, has_times })
 }
 
 /// A row in its fields.
@@ -220,6 +234,13 @@ impl Cells<'_> {
             )
         };
         data::leg_of(name).ok_or_else(refuse)
+    }
+
+    /// A time, in the unit of its column.
+    fn time(&self, row: &Row<'_>, place: usize) -> Result<f64, String> {
+        let text = self.field(row, place)?;
+        let time = text.trim().replacen(',', ".", 1).parse::<f64>().ok().filter(|time| time.is_finite());
+        time.ok_or_else(|| format!("line {}: `{}` in the column of times is not a number", row.line, excerpt(text)))
     }
 
     /// A number in SI.

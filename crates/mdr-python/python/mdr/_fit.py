@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
-from typing import Any, Literal, TypeAlias, final
+from typing import Any, Literal, TypeAlias, final, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -79,6 +79,16 @@ class Fit:
         """Of the estimates, likewise."""
         self.residuals: Floats = np.array([row["residual"] for row in answer["rows"]], dtype=np.float64)
         """Curve minus datum of each row, in units of sigma."""
+        self.x: Floats = np.array([row["x"] for row in answer["rows"]], dtype=np.float64)
+        """X of each row that counts, in SI units."""
+        self.y: Floats = np.array([row["y"] for row in answer["rows"]], dtype=np.float64)
+        """Y of each row, likewise."""
+        self.fitted: Floats = np.array([row["fitted"][1] for row in answer["rows"]], dtype=np.float64)
+        """Y of the curve where it is compared with each row: at its X where x is exact, else at the nearest point."""
+        self.leg: tuple[str, ...] = tuple(row["leg"] for row in answer["rows"])
+        """``"approach"`` or ``"retract"`` of each row."""
+        self.pinned = np.array([row.get("pinned", False) for row in answer["rows"]], dtype=np.bool_)
+        """Whether the edge of the contact is pinned between two works of adhesion."""
         self.labels = np.array([row["label"] for row in answer["rows"]], dtype=np.int64)
         """The arc of each row, 0 the outermost; −1 detached."""
         self.contact_radius: Floats = np.array(
@@ -99,6 +109,20 @@ class Fit:
         """The last row in contact before the first detached one."""
         self.validity: dict[str, Any] | None = _numbers(answer["validity"], _double)
         """Whether the theory holds for the fitted contact, where ``range_of_adhesion`` is given."""
+        self.legs: list[dict[str, Any]] = answer["legs"]
+        """Each leg with its rows and its residuals: ``leg``, ``rows``, ``in_contact``, ``pinned``, ``mean_square``, ``runs_test``."""
+        self.quantities: dict[str, dict[str, Any]] = {each["name"]: each for each in answer["quantities"]}
+        """``adhesion_force``, ``pull_off_force`` and ``separation_work`` of the fitted curve, and with ``_measured`` of the rows.
+
+        Each has ``label``, ``value``, ``stderr`` and ``unit``; pulling counts positive."""
+        self.budget: dict[tuple[str, str], float] = {(each["name"], each["of"]): each["slope"] for each in answer["budget"]}
+        """How an estimate follows a given number, ∂ln estimate/∂ln given, by both names; of an offset ∂estimate/∂ln given."""
+        self.limits: dict[str, dict[str, Any]] = {each["name"]: each for each in answer["limits"]}
+        """``lower`` and ``upper`` of numbers that the rows do not determine, or hardly tell from zero."""
+        self.skipped: dict[str, int] = {each["why"]: each["rows"] for each in answer["skipped"]}
+        """How many rows do not count, by the reason."""
+        self.chi2_p: float | None = answer["chi2_p"]
+        """The probability of at least this chi2."""
         self.warnings: tuple[str, ...] = tuple(answer["warnings"])
         """What may mislead."""
 
@@ -117,15 +141,66 @@ class Fit:
 
     def __getitem__(self, name: str) -> Estimate:
         for each in self.estimates:
-            if each.name == name.removeprefix("profile."):
+            if each.name in (name.removeprefix("profile."), f"work_of_adhesion.{name}"):
                 return each
         raise KeyError(name)
 
-    def plot(self) -> Picture:
-        """Data with their labels and the fitted curve, residuals, and contact radius, as SVG."""
+    def to_dataframe(self) -> Any:
+        """The rows as a ``pandas.DataFrame``, in SI units; pandas has to be installed.
+
+        Columns: ``x``, ``y``, ``leg``, ``label``, ``fitted``, ``residual``, ``contact_radius``, ``pinned``.
+        """
+        try:
+            import pandas as pd
+        except ImportError as error:
+            raise ImportError("to_dataframe needs pandas: pip install pandas") from error
+        return pd.DataFrame(self._columns())
+
+    def _columns(self) -> dict[str, Any]:
+        return {
+            "x": self.x,
+            "y": self.y,
+            "leg": list(self.leg),
+            "label": self.labels,
+            "fitted": self.fitted,
+            "residual": self.residuals,
+            "contact_radius": self.contact_radius,
+            "pinned": self.pinned,
+        }
+
+    @overload
+    def plot(self) -> Picture: ...
+
+    @overload
+    def plot(self, ax: Any) -> Any: ...
+
+    def plot(self, ax: Any = None) -> Any:
+        """Data with their labels and the fitted curve, residuals, and contact radius, as SVG.
+
+        With ``ax``, the axes of a matplotlib figure, data and curve are drawn there instead, and the axes returned.
+        """
+        if ax is not None:
+            return self._draw(ax)
         svg = _core.fit(self._problem, self._files, True)[1]
         assert svg is not None
         return Picture(svg)
+
+    def _draw(self, ax: Any) -> Any:
+        detached = self.labels < 0
+        for leg, colour in (("approach", "tab:cyan"), ("retract", "tab:blue")):
+            own = np.array([each == leg for each in self.leg]) & ~detached
+            if own.any():
+                ax.plot(self.x[own], self.y[own], "o", mfc="none", ms=4, color=colour, label=f"in contact, {leg}", zorder=1)
+        if detached.any():
+            ax.plot(self.x[detached], self.y[detached], "x", ms=4, color="tab:gray", label="detached", zorder=1)
+        for index, arc in enumerate(self._answer["arcs"]):
+            x, y, _ = np.array(arc, dtype=np.float64).T
+            ax.plot(x, y, "-", color="black", label="fit" if index == 0 else None, zorder=2)
+        x_name, y_name = _AXES[self._answer["observation"]]
+        ax.set_xlabel(x_name)
+        ax.set_ylabel(y_name)
+        ax.legend()
+        return ax
 
     def to_json(self) -> str:
         """The answer as one line of JSON, schema ``mdr.fit/1``, as the command line prints it."""
@@ -156,6 +231,14 @@ class Fit:
         return f"<h4>{self.status}</h4>" + html_table(_TITLES, self._rows()) + notes + picture
 
 
+_AXES = {
+    "F(d)": ("indentation depth d, m", "force F, N"),
+    "F(D)": ("position D, m", "force F, N"),
+    "delta(D)": ("position D, m", "deflection F/k, m"),
+    "d(F)": ("force F, N", "indentation depth d, m"),
+    "F(a)": ("contact radius a, m", "force F, N"),
+    "a(F)": ("force F, N", "contact radius a, m"),
+}
 _TITLES = ("name", "value", "stderr", "share", "unit")
 
 
@@ -172,11 +255,16 @@ def fit(
     medium: Medium | None = None,
     free: Sequence[str] = ("e_star", "work_of_adhesion"),
     e_star: Number | None = None,
-    work_of_adhesion: Number | None = None,
+    work_of_adhesion: Number | Mapping[str, Number] | None = None,
     stiffness: Number | None = None,
     sigma_x: Number | None = None,
     sigma_y: Number | None = None,
     leg: Sequence[Literal["approach", "retract"]] | None = None,
+    time: ArrayLike | None = None,
+    legs: Literal["both", "approach", "retract"] = "both",
+    rows: Mapping[str, tuple[Number, Number]] | None = None,
+    saturation: tuple[Number, Number] | None = None,
+    missing: Literal["refuse", "skip"] = "refuse",
     start: Mapping[str, Number] | None = None,
     fixed: Mapping[str, Number] | None = None,
     prior: Mapping[str, tuple[Number, Number]] | None = None,
@@ -200,14 +288,26 @@ def fit(
         What it was pressed into; a half-space without it. ``"coefficient"`` of :class:`Graded` and ``"modulus"`` of
         :class:`Winkler` can be free in the place of ``"e_star"``; their values are known numbers, or starts.
     free : sequence of str
-        The unknowns: ``"e_star"``, ``"work_of_adhesion"``, ``"stiffness"``, ``"contact_point"`` (an offset of x),
-        ``"baseline"`` (an offset of the force or the deflection), and numbers of the profile, such as ``"radius"``.
+        The unknowns: ``"e_star"``, ``"work_of_adhesion"``, or two of them, ``"advancing"`` and ``"receding"``, ``"stiffness"``,
+        ``"sensitivity"`` (true deflection over recorded one), ``"contact_point"`` (an offset of x), ``"baseline"`` (an offset of the
+        force or the deflection), ``"baseline_slope"``, ``"baseline_drift"``, ``"position_drift"``, and numbers of the profile, such as
+        ``"radius"``.
     e_star, work_of_adhesion, stiffness : Number, optional
-        Where they are known: Pa, J/m², N/m.
+        Where they are known: Pa, J/m², N/m. ``work_of_adhesion`` may be ``{"advancing": ..., "receding": ...}``.
     sigma_x, sigma_y : Number, optional
         Standard deviations. Without ``sigma_x`` x is exact; without ``sigma_y`` the residuals tell it.
     leg : sequence of {"approach", "retract"}, optional
         Of each row; legs end where x turns without it.
+    time : array_like, optional
+        Of each row, in s: drifts are then per second, else per record.
+    legs : {"both", "approach", "retract"}
+        The leg that counts.
+    rows : mapping, optional
+        ``{"x": (lowest, highest), "y": (lowest, highest)}``: rows outside of it do not count.
+    saturation : pair, optional
+        Range of y; rows at its ends or beyond do not count.
+    missing : {"refuse", "skip"}
+        Whether rows with NaN are refused, or skipped and counted in :attr:`Fit.skipped`.
     start, fixed : mapping, optional
         Values to begin from, and values of offsets that are not free.
     prior, bounds : mapping, optional
@@ -242,30 +342,53 @@ def fit(
     ('fitted', [2000000.0, 0.05])
     """
     xs, ys = row(x, "x"), row(y, "y")
+    times = None if time is None else row(time, "time")
     if len(xs) != len(ys):
         raise ValueError(f"x and y must have as many rows, got {len(xs)} and {len(ys)}")
     if leg is not None and len(leg) != len(xs):
         raise ValueError(f"leg must have as many rows as x, got {len(leg)} and {len(xs)}")
+    if times is not None and len(times) != len(xs):
+        raise ValueError(f"time must have as many rows as x, got {len(times)} and {len(xs)}")
+    if missing not in ("refuse", "skip"):
+        raise ValueError(f'missing must be "refuse" or "skip", got {missing!r}')
     for name, column in (("x", xs), ("y", ys)):
-        if not np.isfinite(column).all():
+        if missing == "refuse" and not np.isfinite(column).all():
             at = int(np.argmin(np.isfinite(column)))
-            raise ValueError(f"x and y must be finite: leave out rows that were not measured, {name}[{at}] is {column[at]}")
+            raise ValueError(f"x and y must be finite: leave out rows that were not measured, or missing='skip'; {name}[{at}] is {column[at]}")
     files: Files = {}
-    rows: list[list[Any]] = [list(pair) for pair in zip(xs.tolist(), ys.tolist())]
+    pairs: list[list[Any]] = [list(pair) for pair in zip(xs.tolist(), ys.tolist())]
+    if missing == "skip":
+        pairs = [[number if np.isfinite(number) else "nan" for number in pair] for pair in pairs]
     if leg is not None:
-        rows = [[*pair, of] for pair, of in zip(rows, leg)]
+        pairs = [[*pair, of] for pair, of in zip(pairs, leg)]
     problem: dict[str, Any] = {
         "profile": profile._scene(files),
-        "data": {"observation": observation, "rows": rows},
+        "data": {"observation": observation, "rows": pairs},
         "fit": {"free": list(free), "loss": loss},
     }
+    if times is not None:
+        problem["data"]["time"] = times.tolist()
+    if missing == "skip":
+        problem["data"]["missing"] = missing
+    if legs != "both":
+        problem["fit"]["legs"] = legs
+    if rows:
+        problem["fit"]["rows"] = {axis: [exact(end, axis) for end in ends] for axis, ends in rows.items()}
+    if saturation is not None:
+        problem["data"]["saturation"] = [exact(end, "saturation") for end in saturation]
     if medium is not None:
         problem["medium"] = medium._scene()
     sigma = {"x": sigma_x, "y": sigma_y}
     if given := {axis: exact(value, f"sigma_{axis}") for axis, value in sigma.items() if value is not None}:
         problem["data"]["sigma"] = given
-    material = {"e_star": e_star, "work_of_adhesion": work_of_adhesion}
-    if known := {name: exact(value, name) for name, value in material.items() if value is not None}:
+    known: dict[str, Any] = {}
+    if e_star is not None:
+        known["e_star"] = exact(e_star, "e_star")
+    if isinstance(work_of_adhesion, Mapping):
+        known["work_of_adhesion"] = {edge: exact(value, edge) for edge, value in work_of_adhesion.items()}
+    elif work_of_adhesion is not None:
+        known["work_of_adhesion"] = exact(work_of_adhesion, "work_of_adhesion")
+    if known:
         problem["material"] = known
     if stiffness is not None:
         problem["control"] = {"kind": "machine", "stiffness": exact(stiffness, "stiffness")}

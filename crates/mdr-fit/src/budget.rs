@@ -1,0 +1,67 @@
+//! How the estimates follow the numbers that are given: ∂ln E*/∂ln k and the like.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::answer::{BudgetEntry, Fit};
+use super::errors::Errors;
+use super::minimise::Minimum;
+use super::objective::Objective;
+use super::problem::{Kind, Problem};
+
+/// Adds the derivatives of the estimates with respect to the logarithms of the given numbers: of the linearised model, θ follows φ by
+/// ∂θ/∂φ = −(JᵀJ)⁻¹Jᵀ ∂r/∂φ. Numbers whose derivatives the profile does not have are left out.
+pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) {
+    let (objective, problem) = (errors.objective, errors.objective.problem);
+    let counts = |kind: Kind| match kind {
+        Kind::EffectiveModulus | Kind::Stiffness | Kind::Sensitivity | Kind::Profile(_) => true,
+        Kind::WorkOfAdhesion => !problem.has_two_works(),
+        Kind::Work(_) => problem.has_two_works(),
+        _ => false,
+    };
+    let given: Vec<usize> = (0..problem.parameters.len())
+        .filter(|index| {
+            let parameter = &problem.parameters[*index];
+            !parameter.free && counts(parameter.kind) && parameter.value.is_some_and(|value| value > 0.0)
+        })
+        .collect();
+    if given.is_empty() || errors.kept.is_empty() {
+        return;
+    }
+    for index in given {
+        if let Some(found) = along(objective, errors, minimum, index) {
+            fit.budget.extend(found);
+        }
+    }
+}
+
+/// The derivatives with respect to one given number.
+fn along(objective: &Objective<'_>, errors: &Errors<'_>, minimum: &Minimum, index: usize) -> Option<Vec<BudgetEntry>> {
+    let mut problem: Problem = objective.problem.clone();
+    problem.parameters[index].free = true;
+    problem.parameters[index].bounds = None;
+    let mut freed = Objective::new(&problem, objective.x_scale, objective.noise).ok()?;
+    freed.rows.clone_from(&objective.rows);
+    freed.at_fold.clone_from(&objective.at_fold);
+    let own = freed.free.iter().position(|free| *free == index)?;
+    let mut fitted = minimum.fitted.clone();
+    fitted.insert(own, freed.to_fitted(own, problem.parameters[index].value?));
+    let evaluation = freed.evaluate(&fitted, Some(&minimum.evaluation)).ok()?;
+    let jacobian = freed.jacobian(&fitted, &evaluation).ok()?;
+    if jacobian.nrows() != minimum.jacobian.nrows() {
+        return None;
+    }
+    let kept: DMatrix<f64> = minimum.jacobian.select_columns(errors.kept);
+    let lengths: Vec<f64> = kept.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
+    let mut scaled = kept;
+    scaled.column_iter_mut().zip(&lengths).for_each(|(mut column, length)| column /= *length);
+    let moved: DVector<f64> = scaled.svd(true, true).solve(&jacobian.column(own).clone_owned(), 1e-11).ok()?;
+    let of = problem.parameters[index].name.clone();
+    let entry = |(place, (moved, length)): (&usize, (&f64, &f64))| {
+        let parameter = objective.parameter(*place);
+        let is_offset = parameter.kind.is_offset();
+        let unit = if is_offset { parameter.unit_name() } else { "1" };
+        BudgetEntry { name: parameter.name.clone(), of: of.clone(), slope: -moved / length, unit }
+    };
+    let found: Vec<BudgetEntry> = errors.kept.iter().zip(moved.iter().zip(&lengths)).map(entry).collect();
+    found.iter().all(|entry| entry.slope.is_finite()).then_some(found)
+}

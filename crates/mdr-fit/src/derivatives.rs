@@ -1,0 +1,132 @@
+//! The derivatives of the residuals with respect to the fitted values.
+
+use mdr_core::contact::{Edge, Result};
+use nalgebra::DMatrix;
+
+use super::arcs::{self, Arc};
+use super::foot::Foot;
+use super::objective::{Evaluation, HELD, Objective};
+use super::problem::{DataRow, Kind};
+
+impl Objective<'_> {
+    /// The derivatives of the residuals with respect to the fitted values. A number at a bound that it presses against has none.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn jacobian(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
+        let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), self.free.len());
+        let moving = self.moving(fitted);
+        let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
+        let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
+        for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
+            let Some(foot) = foot else {
+                let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
+                for (place, kind) in &moving {
+                    let own = f64::from(u8::from(*kind == Kind::Baseline));
+                    jacobian[(index, *place)] = slope * (own + evaluation.numbers.trend_partial(*kind, row)[1]);
+                }
+                continue;
+            };
+            let contact = &contacts[evaluation.sheet_of(row)];
+            let point = contact.point(&foot.s)?;
+            let slope = self.loss(foot.residual)[1];
+            let Some(arc) = evaluation.arc(row, evaluation.labels[index]) else { continue };
+            let is_pinned = point.beyond_edge && contact.pinned.is_some();
+            for (place, kind) in &moving {
+                // What holds a pinned edge does not show: not even in rounding, which would be a direction of its own.
+                if is_pinned && !foot.is_end && *kind == Kind::Work(Edge::Receding) {
+                    continue;
+                }
+                let [x, y] = arc.partial(contact, *kind, foot, &point)?;
+                let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, row);
+                jacobian[(index, *place)] = slope * (foot.weights[0] * (x + more_x) + foot.weights[1] * (y + more_y));
+            }
+        }
+        let mut index = self.rows.len();
+        for (place, [_, sd]) in self.priors() {
+            let value = self.value(place, fitted[place]);
+            jacobian[(index, place)] = if self.is_offset(place) { 1.0 } else { value } / self.noise.unit_of(sd);
+            index += 1;
+        }
+        // How the place of a fold moves with each number.
+        let mut fold = |index: usize, sheet: usize, s: f64, unit: f64, row: Option<&DataRow>| -> Result<()> {
+            let contact = &contacts[sheet];
+            let point = contact.point(&s)?;
+            for (place, kind) in &moving {
+                let speed = arcs::end_speed(contact, *kind, &point)?;
+                let trend = row.map_or(0.0, |row| evaluation.numbers.trend_partial(*kind, row)[0]);
+                jacobian[(index, *place)] =
+                    (contact.partial(*kind, &point)?[0] + point.tangent[0] * speed + trend) / unit;
+            }
+            Ok(())
+        };
+        if let Some([_, sd]) = self.problem.pull_off {
+            let sheet = evaluation.breaking();
+            if let Some(s) = evaluation.sheets[sheet].last_fold() {
+                fold(index, sheet, s, self.noise.unit_of(sd), None)?;
+            }
+            index += 1;
+        }
+        for held in &self.at_fold {
+            let row = &self.rows[held.row];
+            if let Some(end) = evaluation.arc(row, held.level).and_then(Arc::inner_fold) {
+                fold(index, evaluation.sheet_of(row), end.s, self.noise.beyond / HELD, Some(row))?;
+            }
+            index += 1;
+        }
+        Ok(jacobian)
+    }
+
+    /// The Jacobian for standard errors: a row that is compared to the end of an arc counts in both directions, along the
+    /// distance and across it, where its residual is zero.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn information(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
+        let moving = self.moving(fitted);
+        let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
+        let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
+        let across = |(index, foot): (usize, &Foot)| {
+            let data = &self.rows[index];
+            let contact = &contacts[evaluation.sheet_of(data)];
+            let point = contact.point(&foot.s)?;
+            let scales = self.scales(data);
+            let scales = [scales.x.unwrap_or(scales.beyond), scales.y];
+            let [along_x, along_y] = [foot.weights[0] * scales[0], foot.weights[1] * scales[1]];
+            let mut row = vec![0.0; self.free.len()];
+            let Some(arc) = evaluation.arc(data, evaluation.labels[index]) else { return Ok(row) };
+            for (place, kind) in &moving {
+                let [x, y] = arc.partial(contact, *kind, foot, &point)?;
+                let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, data);
+                row[*place] = along_x * (y + more_y) / scales[1] - along_y * (x + more_x) / scales[0];
+            }
+            Ok(row)
+        };
+        let is_held = |index: usize| self.at_fold.iter().any(|held| held.row == index);
+        let feet = evaluation.feet.iter().enumerate().filter(|(index, _)| !is_held(*index));
+        let ends = feet.filter_map(|(index, foot)| Some((index, foot.as_ref().filter(|foot| foot.is_end)?)));
+        let rows: Vec<Vec<f64>> = ends.map(across).collect::<Result<_>>()?;
+        let mut jacobian = self.jacobian(fitted, evaluation)?;
+        let known = jacobian.nrows();
+        for (index, held) in self.at_fold.iter().enumerate() {
+            let width = self.width_of_fold(evaluation, held)?;
+            jacobian
+                .row_mut(known - self.at_fold.len() + index)
+                .scale_mut(self.noise.unit * self.noise.beyond / HELD / width);
+        }
+        let mut information = jacobian.resize_vertically(known + rows.len(), 0.0);
+        for (index, row) in rows.iter().enumerate() {
+            information.row_mut(known + index).copy_from_slice(row);
+        }
+        Ok(information)
+    }
+
+    /// The free numbers but those whose fitted value lies beyond a bound: these do not follow it.
+    fn moving(&self, fitted: &[f64]) -> Vec<(usize, Kind)> {
+        let follows = |place: &usize| {
+            let fitted = fitted[*place];
+            !self.at_bound(*place, fitted) || self.to_fitted(*place, self.value(*place, fitted)) == fitted
+        };
+        (0..self.free.len()).filter(follows).map(|place| (place, self.kind(place))).collect()
+    }
+}

@@ -1,0 +1,131 @@
+//! The sheet of each leg of a record, with labels and feet of its rows.
+
+use mdr_core::contact::{Edge, Result};
+
+use super::arcs::{self, Arc};
+use super::contact::Contact;
+use super::foot::{self, Foot};
+use super::labels::cheapest;
+use super::objective::{Evaluation, Objective};
+use super::observation::{Leg, Observation};
+use super::problem::DataRow;
+use super::sheet::{self, Sheet};
+
+impl Objective<'_> {
+    /// The sheet of each leg, with labels and feet of its rows.
+    pub(super) fn label(&self, evaluation: &mut Evaluation, before: Option<&Evaluation>) -> Result<()> {
+        let observation = self.problem.observation;
+        let numbers = evaluation.numbers.clone();
+        let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.noise.beyond);
+        let [low, high] = self.rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| {
+            let [x, _] = numbers.untrended(row);
+            [low.min(x), high.max(x)]
+        });
+        let range = [low, high + margin];
+        let directions: &[Option<Edge>] = match numbers.works {
+            Some(_) => &[Some(Edge::Advancing), Some(Edge::Receding)],
+            None => &[None],
+        };
+        for (index, direction) in directions.iter().enumerate() {
+            let sheet =
+                Sheet { numbers: numbers.of_edge(*direction), direction: *direction, pin: None, arcs: Vec::new() };
+            let contact = sheet.contact(&evaluation.tip, observation);
+            let turns = sheet::turns(&contact, before.and_then(|before| before.turns.get(index)).map(Vec::as_slice))?;
+            if index == 0 {
+                let arcs = arcs::arcs(&contact, &turns, range)?;
+                evaluation.sheets.push(Sheet { arcs, ..sheet });
+            }
+            evaluation.turns.push(turns);
+        }
+        let parts = self.rows.last().map_or(0, |row| row.at.part + 1);
+        evaluation.of_part = vec![0; parts];
+        let mut first = 0;
+        for leg in self.rows.chunk_by(|one, other| one.at.part == other.at.part) {
+            let index = match (numbers.works, leg[0].leg) {
+                (Some(_), Leg::Retract) => {
+                    let sheet = self.receding(evaluation, &leg[0], range)?;
+                    evaluation.sheets.push(sheet);
+                    evaluation.sheets.len() - 1
+                }
+                _ => 0,
+            };
+            evaluation.of_part[leg[0].at.part] = index;
+            let contact = evaluation.contact(observation, index);
+            let (labels, feet) = self.label_leg(&contact, &evaluation.sheets[index].arcs, leg, first)?;
+            evaluation.labels.extend(labels);
+            evaluation.feet.extend(feet);
+            first += leg.len();
+        }
+        Ok(())
+    }
+
+    /// The sheet of a leg that retracts, of an edge that is pinned before it recedes.
+    fn receding(&self, evaluation: &Evaluation, first: &DataRow, range: [f64; 2]) -> Result<Sheet> {
+        let numbers = &evaluation.numbers;
+        let advancing = evaluation.contact(self.problem.observation, 0);
+        let [x, time] = first.at.turn;
+        // Where the approach ended: on its arc, if it is in the data.
+        let before = evaluation.labels.len().checked_sub(1).filter(|before| self.rows[*before].leg == Leg::Approach);
+        let level = before.map(|before| evaluation.labels[before]);
+        let turn = [x - numbers.trends[2] * time, time];
+        let mut sheet = Sheet {
+            numbers: numbers.of_edge(Some(Edge::Receding)),
+            direction: Some(Edge::Receding),
+            pin: sheet::pinned(&advancing, &evaluation.sheets[0].arcs, level, turn)?,
+            arcs: Vec::new(),
+        };
+        let contact = sheet.contact(&evaluation.tip, self.problem.observation);
+        let turns = arcs::up_to_edge(&contact, evaluation.turns.get(1).map_or(&[], Vec::as_slice))?;
+        sheet.arcs = arcs::arcs(&contact, &turns, range)?;
+        Ok(sheet)
+    }
+
+    /// Whether a row can be detached: where the contact radius is given, one of radius zero must be.
+    fn can_be(&self, row: &DataRow, detached: bool) -> bool {
+        match self.problem.observation {
+            Observation::ForceOfRadius => detached == (row.x <= 0.0),
+            Observation::IndentationOfForce | Observation::RadiusOfForce => !detached,
+            _ => true,
+        }
+    }
+
+    /// Labels and feet of the rows of a leg, of which the first is `first`.
+    fn label_leg(
+        &self,
+        contact: &Contact<'_, f64>,
+        arcs: &[Arc],
+        leg: &[DataRow],
+        first: usize,
+    ) -> Result<(Vec<usize>, Vec<Option<Foot>>)> {
+        // Level 0 is detached, each other that of an arc.
+        let levels = arcs.len() + 1;
+        let mut costs = vec![f64::INFINITY; levels * leg.len()];
+        let mut found = vec![None; levels * leg.len()];
+        let of_rows = costs.chunks_mut(levels).zip(found.chunks_mut(levels));
+        for ((index, row), (costs, feet)) in leg.iter().enumerate().zip(of_rows) {
+            let scales = self.scales(row);
+            let place = contact.numbers.untrended(row);
+            let held = self.at_fold.iter().find(|held| held.row == first + index && held.beyond == 0.0);
+            if let Some(fold) = held.and_then(|held| arcs.get(held.level - 1)).and_then(Arc::inner_fold) {
+                let level = held.map_or(0, |held| held.level);
+                let foot = foot::at_fold(fold, place, scales.y);
+                costs[level] = self.loss(foot.residual)[0].powi(2);
+                feet[level] = Some(foot);
+                continue;
+            }
+            if self.can_be(row, true) || arcs.is_empty() {
+                costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
+            }
+            if self.can_be(row, false) {
+                for (index, arc) in arcs.iter().enumerate() {
+                    let foot = arc.foot(contact, place, &scales)?;
+                    costs[index + 1] = self.loss(foot.residual)[0].powi(2);
+                    feet[index + 1] = Some(foot);
+                }
+            }
+        }
+        let cheapest = cheapest(&costs, levels, leg.first().map_or(Leg::Retract, |row| row.leg));
+        let feet = cheapest.iter().zip(found.chunks(levels)).map(|(level, feet)| feet[*level]).collect();
+        Ok((cheapest, feet))
+    }
+}
