@@ -32,7 +32,7 @@ pub(crate) const CHAPTERS: [Chapter; 12] = [
     ),
     chapter("waviness", "Waviness", &["wavy", "wave", "wave-approach"]),
     chapter("media", "Other media", &["media", "graded", "line-contact"]),
-    chapter("energy", "Energy and hysteresis", &["work-pull-off", "work-jump-in"]),
+    chapter("energy", "Energy and hysteresis", &["work-pull-off", "work-jump-in", "hysteresis"]),
     chapter("profiles", "The library of profiles", &["kendall"]),
     chapter("limits", "Limits of the theory", &["maugis-dugdale"]),
 ];

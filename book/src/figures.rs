@@ -8,12 +8,13 @@ use crate::error::Result;
 use crate::text::read;
 
 /// Which entry each picture belongs to.
-const PLACES: [(&str, &str); 5] = [
+const PLACES: [(&str, &str); 6] = [
     ("figure-1a.svg", "1.9"),
     ("figure-1b.svg", "1.10"),
     ("figure-2.svg", "1.10"),
     ("figure-3.svg", "1.11"),
     ("figure-4.svg", "wavy"),
+    ("hysteresis.svg", "hysteresis"),
 ];
 
 /// The pictures with their titles.

@@ -608,6 +608,32 @@ Definition step_work_jump_in_3 : Prop :=
 Definition step_work_jump_in_4 : Prop :=
   (let n := 2 in let kap := Definitions.kappa n in (2 * n - 1) / (2 * n + 1)) = 3 / 5.
 
+(** ** hysteresis: Two works of adhesion: the preload, the pull-off and the loop *)
+(* proved *)
+Definition step_hysteresis_1 : Prop :=
+  forall (n E w C kap t : R), 1 / 2 < n -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> 0 < t -> (let a := (a_F n E w C kap) in let w := t ^ 2 * w in (F_n n E w C kap a)) = - ((F_F n E w C kap) * (3 - 2 * (n + 1) * t) / (2 * n - 1)).
+(* proved *)
+Definition step_hysteresis_2 : Prop :=
+  forall (n : R), 1 / 2 < n -> (let t := 3 / (2 * (n + 1)) in 3 - 2 * (n + 1) * t) = 0.
+(* proved *)
+Definition step_hysteresis_3 : Prop :=
+  forall (n : R), 1 / 2 < n -> (3 / (2 * (n + 1))) ^ 2 = 9 / (4 * (n + 1) ^ 2).
+(* proved *)
+Definition step_hysteresis_4 : Prop :=
+  (let n := 2 in let kap := Definitions.kappa n in 9 / (4 * (n + 1) ^ 2)) = 1 / 4.
+(* proved *)
+Definition step_hysteresis_5 : Prop :=
+  (let n := 1 in let kap := Definitions.kappa n in 9 / (4 * (n + 1) ^ 2)) = 9 / 16.
+(* proved *)
+Definition step_hysteresis_6 : Prop :=
+  forall (n E w C kap t : R), 1 / 2 < n -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> 0 < t -> (let a := (a_c n E w C kap) in let w := t ^ 2 * w in (d_n n E w C kap a)) = - ((d_c n E w C kap) * (1 - 2 * n * t) / (2 * n - 1)).
+(* proved *)
+Definition step_hysteresis_7 : Prop :=
+  forall (n E w C kap a : R), 1 / 2 < n -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> 0 < a -> (let d := (d_n n E w C kap a) in (U_n n E w C kap a d)) = E * a * ((n / (n + 1) * kap * C * Rpower a n - (dl E w a)) ^ 2 + (n * kap * C * Rpower a n / (n + 1)) ^ 2 / (2 * n + 1)) - PI * a ^ 2 * w.
+(* proved *)
+Definition step_hysteresis_8 : Prop :=
+  forall (n E w C kap t : R), 1 / 2 < n -> 0 < E -> 0 < w -> 0 < C -> 0 < kap -> 0 < t -> - (let a := let w := t ^ 2 * w in (a_0 n E w C kap) in let d := 0 in let w := t ^ 2 * w in (U_n n E w C kap a d)) = (2 * n - 1) / (2 * n + 1) * PI * (let w := t ^ 2 * w in (a_0 n E w C kap)) ^ 2 * t ^ 2 * w.
+
 (** ** kendall: Kendall's flat punch as the limit of large n *)
 (* proved *)
 Definition step_kendall_1 : Prop :=

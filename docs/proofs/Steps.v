@@ -477,6 +477,36 @@ Proof. unfold step_work_jump_in_3. begin. positive ((1 - 2 * n) / (2 * n + 1) * 
 Lemma prove_step_work_jump_in_4 : step_work_jump_in_4.
 Proof. unfold step_work_jump_in_4. step. Qed.
 
+Lemma prove_step_hysteresis_1 : step_hysteresis_1.
+Proof. unfold step_hysteresis_1. step. Qed.
+
+Lemma prove_step_hysteresis_2 : step_hysteresis_2.
+Proof. unfold step_hysteresis_2. step. Qed.
+
+Lemma prove_step_hysteresis_3 : step_hysteresis_3.
+Proof. unfold step_hysteresis_3. step. Qed.
+
+Lemma prove_step_hysteresis_4 : step_hysteresis_4.
+Proof. unfold step_hysteresis_4. step. Qed.
+
+Lemma prove_step_hysteresis_5 : step_hysteresis_5.
+Proof. unfold step_hysteresis_5. step. Qed.
+
+Lemma prove_step_hysteresis_6 : step_hysteresis_6.
+Proof. unfold step_hysteresis_6. step. Qed.
+
+Lemma prove_step_hysteresis_7 : step_hysteresis_7.
+Proof. unfold step_hysteresis_7. step. Qed.
+
+Lemma prove_step_hysteresis_8 : step_hysteresis_8.
+Proof.
+  unfold step_hysteresis_8. intros n E w C kap t. intros. cbv zeta.
+  assert (pos_w : 0 < t ^ 2 * w) by (apply Rmult_lt_0_compat; [apply pow_lt |]; assumption).
+  assert (pos_n : 0 < n) by lra. assert (not_half : n <> 1 / 2) by lra.
+  pose proof (prove_step_work_jump_in_1 n E (t ^ 2 * w) C kap) as lost. cbv zeta in lost.
+  rewrite lost by assumption. field. lra.
+Qed.
+
 Lemma prove_step_kendall_1 : step_kendall_1.
 Proof. unfold step_kendall_1. intros. cbv zeta. unfold a_c, B, N. mono. Qed.
 

@@ -98,16 +98,17 @@ fn a_picture_that_cannot_be_written_is_named() {
 #[test]
 fn the_picture_of_the_documents_is_current() {
     let shown = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/figures");
-    let svg = file("cycle.svg");
-    mdr(&format!("solve {} --plot {}", shown.join("cycle.toml").display(), svg.display())).assert().success();
-    let [checked_in, drawn] =
-        [shown.join("cycle.svg"), svg].map(|path| std::fs::read_to_string(path).unwrap_or_default());
-    assert!(
-        without_program(&checked_in) == without_program(&drawn),
-        "docs/figures/cycle.svg is stale: cargo run -p mdr-cli -- solve docs/figures/cycle.toml --plot docs/figures/cycle.svg; \
-         rm docs/figures/cycle.csv"
-    );
-    assert!(drawn.contains("work lost in the cycle"));
+    for (name, scene) in [("cycle", "cycle.toml"), ("hysteresis", "../../examples/scenes/hysteresis.toml")] {
+        let (place, svg) = (format!("{name}.svg"), file(&format!("{name}.svg")));
+        mdr(&format!("solve {} --plot {}", shown.join(scene).display(), svg.display())).assert().success();
+        let [checked_in, drawn] =
+            [shown.join(&place), svg].map(|path| std::fs::read_to_string(path).unwrap_or_default());
+        assert!(
+            without_program(&checked_in) == without_program(&drawn),
+            "docs/figures/{place} is stale: mdr solve {scene} --plot docs/figures/{place}, and remove the CSV beside it"
+        );
+        assert!(drawn.contains("work lost in the cycle"), "{name}");
+    }
 }
 
 #[test]

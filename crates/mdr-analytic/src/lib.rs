@@ -27,6 +27,7 @@
 //! | n = 1/2 | (1.18), (1.19) | [`threshold()`], [`PowerLawContact::ratio`], [`PowerLawContact::fate`] |
 //! | equilibria at a given d or F | | [`PowerLawContact::equilibria`], [`PowerLawContact::equilibria_at_distance`] |
 //! | energy dissipated in a jump | | [`PowerLawContact::energy_lost_at_pull_off`], [`PowerLawContact::energy_lost_at_jump_in`] |
+//! | two works of adhesion: preload, pull-off, work of a loop | | [`least_ratio_for_full_pull_off`], [`PowerLawContact::preload_for_full_pull_off`], [`PowerLawContact::pull_off_from`], [`PowerLawContact::loop_work`] |
 //! | all power laws as one family | | [`universal_indentation`], [`universal_force`] |
 //! | paraboloid, cone, flat punch | | [`PowerLaw::paraboloid`], [`PowerLaw::cone`], [`flat_punch_pull_off`] |
 //! | range of adhesion: Tabor's number, Maugis's states of a paraboloid | | [`tabor_number`], [`maugis_state`] |
@@ -66,6 +67,7 @@ pub mod certified;
 mod contact;
 mod critical;
 pub mod double;
+mod hysteresis;
 mod inverse;
 mod jump;
 mod kappa;
@@ -83,6 +85,7 @@ mod universal;
 
 pub use contact::{PowerLawContact, detachment_elongation};
 pub use critical::State;
+pub use hysteresis::{LoopWork, least_ratio_for_full_pull_off};
 pub use inverse::Equilibria;
 pub use kappa::{Kappa, kappa};
 #[cfg(feature = "mp")]

@@ -46,6 +46,19 @@ fn at_once<'a>(inverse: &Inverse, path: Path) -> Route<'a> {
     (format!("Inverse::branches, {path}"), Box::new(count))
 }
 
+/// The stable one of both at all depths in one call.
+fn stable_at_once<'a>(inverse: &Inverse, path: Path) -> Route<'a> {
+    let inverse = inverse.clone().with_instructions(path);
+    let count = move |depths: &[f64]| {
+        let ([mut a, mut force], mut status) = ([[0.0; VALUES]; 2], [Status::Ok; VALUES]);
+        let mut found = BranchSlices { contact_radius: &mut a, uncontrolled: &mut force };
+        let tally = inverse.stable(black_box(depths), &mut found, &mut status);
+        black_box((&a, &force));
+        tally.map_or(0, |_| 2 * status.iter().filter(|&&status| status == Status::Ok).count())
+    };
+    (format!("Inverse::stable, {path}"), Box::new(count))
+}
+
 fn main() -> Result<(), Error> {
     let (material, control) = (Material::new(1e6, 0.05)?, Control::Indentation);
     println!("{:4} {:34} {:>9} {:>8}", "n", "both equilibria at a depth", "ns", "ratio");
@@ -64,6 +77,7 @@ fn main() -> Result<(), Error> {
         };
         let mut routes: Vec<Route<'_>> = Path::available().map(one_by_one).collect();
         routes.extend(Path::available().map(|path| at_once(&ready, path)));
+        routes.extend(Path::available().map(|path| stable_at_once(&ready, path)));
         routes.extend([
             each("double::equilibria", |d| {
                 black_box(double::equilibria(n, c, &material, &control, d)).map_or(0, |found| found.as_slice().len())

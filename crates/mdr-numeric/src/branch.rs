@@ -41,6 +41,11 @@ pub trait EquilibriumBranches<R: Real> {
         value.partial_cmp(&at_fold).ok_or_else(|| unordered(self.control(), value))
     }
 
+    /// Whether two radii are one number; over enclosures, copies of one enclosure, as those of a kink or a vertical edge are.
+    fn is_same(&self, one: &R, other: &R) -> bool {
+        one == other
+    }
+
     /// The limit of the controlled quantity at the tip, where the first branch begins.
     fn tip_value(&self, like: &R) -> R {
         like.lit(0)

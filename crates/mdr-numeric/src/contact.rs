@@ -321,8 +321,24 @@ impl<R: Real> Contact<R> {
             let sine = ((mean / &slope).square() + a.lit(1)).sqrt().inv();
             return Ok(a.lit(1) + if slope > a.lit(0) { sine } else { -sine });
         }
-        // Below the range of the arithmetic, a profile that rises is flat.
-        Ok(a.lit(if mean == slope { 2 } else { 1 }))
+        if mean != slope {
+            return Ok(a.lit(1));
+        }
+        // A flat is neutral and comes to rest at its end. Below the range of the arithmetic a profile that rises has g = 0 as well.
+        Ok(a.lit(if self.flat()?.is_some_and(|end| *a < end) { 0 } else { 2 }))
+    }
+
+    /// The radius up to which g = 0 from the tip on, and nowhere beyond: surfaces without adhesion touch on all of it at d = 0.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(crate) fn flat(&self) -> Result<Option<R>> {
+        let Some(end) = self.transform.kinks().into_iter().next().or(self.transform.outer_radius()) else {
+            return Ok(None);
+        };
+        let (inside, zero) = (end.clone().over(2), end.lit(0));
+        let flat = self.transform.g(&inside)? == zero && self.transform.slope(&inside)? == zero;
+        Ok(Some(end).filter(|_| flat))
     }
 
     /// The value of the [tangency ratio](Contact::tangency) at which the controlled quantity is stationary.

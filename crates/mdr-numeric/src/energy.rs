@@ -88,17 +88,19 @@ impl<R: Real> Energy<R> {
         if let Some(wavelength) = self.contact.medium().period() {
             return self.by_loading(wavelength, &a, d);
         }
-        let unit = self.unit(&a);
+        // Without adhesion, in units of that of the other edge.
+        let (work, unit) = (self.contact.adhesion().scale(), self.contact.unit_elongation(&a));
         let needed = negligible(&unit);
         let medium = self.contact.medium();
         let elastic = mean(&|x| {
             let square = ((d.clone() - g(self.contact.transform(), x, &needed)?) / &unit).square();
             Ok(medium.weighted_relative(x, &a, square))
         })?;
-        let reduced = elastic.times(2) - a.lit(1);
+        let adhesive = if self.contact.adhesion().vanishes() { a.lit(0) } else { a.lit(1) };
+        let reduced = elastic.times(2) - adhesive;
         let [pi, width, radius] = self.contact.medium().area_factors(&a);
-        let potential = width.clone() * self.work() * &pi * &radius * &reduced;
-        let factors = || [pi.clone(), width, radius, self.work().clone(), reduced.clone()];
+        let potential = width.clone() * work * &pi * &radius * &reduced;
+        let factors = || [pi.clone(), width, radius, work.clone(), reduced.clone()];
         in_range(Quantity::Energy, potential, &reduced, factors)
     }
 

@@ -31,8 +31,10 @@ pub struct Fields<R: Special> {
     curve: Contact<R>,
     contact_radius: R,
     indentation: R,
-    /// g(a) − d, the elongation of the edge springs: Δl, but less if the contact is pressed against a vertical edge.
+    /// g(a) − d, the elongation of the edge springs: Δl, but less if the contact is pressed against a vertical edge or pinned.
     edge: R,
+    /// Whether the edge stays where it is when the depth changes.
+    stays: bool,
 }
 
 impl<R: Special> Fields<R> {
@@ -44,7 +46,8 @@ impl<R: Special> Fields<R> {
         let contact_radius = Error::require_positive(Quantity::ContactRadius, contact_radius)?;
         let indentation = curve.indentation(&contact_radius)?;
         let edge = curve.elongation(&contact_radius);
-        Ok(Fields { curve, contact_radius, indentation, edge })
+        let stays = curve.vertical_edge().as_ref() == Some(&contact_radius);
+        Ok(Fields { curve, contact_radius, indentation, edge, stays })
     }
 
     /// An equilibrium that was found on the curve, or at its vertical edge.
@@ -56,8 +59,40 @@ impl<R: Special> Fields<R> {
         if fields.curve.vertical_edge().as_ref() != Some(&state.contact_radius) {
             return Ok(fields);
         }
-        let edge = fields.curve.transform().g(&state.contact_radius)? - &state.indentation;
-        Ok(Fields { indentation: state.indentation.clone(), edge, ..fields })
+        fields.held_at(&state.indentation)
+    }
+
+    /// A state whose edge is pinned between two works of adhesion, with its own depth: g(a) − d lies between Δl₁ and Δl₂.
+    ///
+    /// ```
+    /// use mdr_core::contact::{Control, Edge, Equilibrium, Shape, Stability};
+    /// use mdr_numeric::medium::{Adhesion, Medium};
+    /// use mdr_numeric::{contact::Contact, fields::Fields, transform::Quadrature};
+    /// let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
+    /// let adhesion = Adhesion::hysteretic(0.01, 0.04)?;
+    /// let contact = Contact::new(ball, Medium::half_space(1.0)?, adhesion, Control::Indentation);
+    /// let (contact_radius, indentation) = (0.2, -0.1);
+    /// let force = 2.0 * contact_radius * (indentation - contact_radius * contact_radius / 3.0);
+    /// let state = Equilibrium { contact_radius, indentation, force, stability: Stability::Stable };
+    /// let fields = Fields::pinned(contact.at(Edge::Receding), &state)?;
+    /// assert_eq!(fields.stiffness()?, 0.4); // 2E*a
+    /// // The tension at the edge is between those of the two works of adhesion.
+    /// let at = |edge: Edge| Fields::new(contact.at(edge), 0.2)?.pressure(&0.199);
+    /// let tension = fields.pressure(&0.199)?;
+    /// assert!(at(Edge::Receding)? < tension && tension < at(Edge::Advancing)?);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless the contact radius is positive and finite; errors of the transform there.
+    pub fn pinned(curve: Contact<R>, state: &Equilibrium<R>) -> Result<Self> {
+        Self::new(curve, state.contact_radius.clone())?.held_at(&state.indentation)
+    }
+
+    /// The contact radius held at another depth.
+    fn held_at(self, indentation: &R) -> Result<Self> {
+        let edge = self.curve.transform().g(&self.contact_radius)? - indentation;
+        Ok(Fields { indentation: indentation.clone(), edge, stays: true, ..self })
     }
 
     /// The indentation depth d, in m.
@@ -200,11 +235,12 @@ impl<R: Special> Fields<R> {
     /// [`Error::Domain`] at the fold itself; errors of the transform at the contact radius.
     pub fn stiffness(&self) -> Result<R> {
         let stiffness = self.curve.stiffness(&self.contact_radius);
-        if self.curve.vertical_edge().as_ref() == Some(&self.contact_radius) {
+        // Without adhesion at the edge it moves where g(a) = d: F = ∫S'(d − g) grows by S there as well.
+        if self.stays || self.curve.adhesion().vanishes() {
             return Ok(stiffness);
         }
         let slope = self.curve.transform().slope(&self.contact_radius)?;
-        let work = self.curve.adhesion().scale();
+        let work = self.curve.adhesion().work();
         match self.curve.medium().stiffening(work, slope, &self.contact_radius) {
             Some(ratio) => Ok(ratio * stiffness),
             None => {

@@ -137,7 +137,7 @@ pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
             found.poles.push(pole(radius, kind));
             continue;
         }
-        let added = match radius_at(crossing, ratio) {
+        let added = match radius_of(crossing, curve, ratio) {
             Ok(Some(radius)) => found.add(curve, radius, kind),
             Ok(None) => Ok(()),
             Err(error) => Err(error),
@@ -168,6 +168,19 @@ fn edge_within<R: Real>(crossing: &Crossing<R>, curve: &Contact<R>, kinks: &[R])
     let singular = |kink: &R| matches!(curve.transform().g(kink), Err(Error::Domain { .. }));
     let mut within = kinks.iter().filter(|kink| **kink > crossing.lower && **kink < crossing.upper);
     within.find(|kink| singular(kink)).cloned()
+}
+
+/// The radius of the fold at a crossing; without adhesion exactly the end of a flat.
+fn radius_of<R: Real>(
+    crossing: &Crossing<R>,
+    curve: &Contact<R>,
+    ratio: impl Fn(&R) -> Result<R>,
+) -> Result<Option<R>> {
+    let flat = if curve.adhesion().vanishes() { curve.flat()? } else { None };
+    match flat.filter(|end| *end >= crossing.lower && *end <= crossing.upper) {
+        Some(end) => Ok(Some(end)),
+        None => radius_at(crossing, ratio),
+    }
 }
 
 /// The radius of the fold at a crossing.

@@ -221,10 +221,147 @@ fn refusals_have_a_remedy() {
         let error = scene(BALL, works, control, "want = [\"path\"]").unwrap_err().to_string();
         assert!(error.contains(part) && error.contains("work_of_adhesion"), "{error}");
     }
-    for want in ["energy", "pressure", "gap", "displacement", "curve"] {
-        let output = format!("want = [\"{want}\"]");
-        let refused = scene(BALL, ["0.01", "0.04"], control, &output).and_then(|scene| scene.solve());
-        let error = refused.unwrap_err().to_string();
-        assert!(error.contains(want) && error.contains("give the one work of adhesion"), "{error}");
+}
+
+/// Without adhesion on the way in contact begins at d = F = 0, on all of a flat at once, and follows Hertz; on the way out it
+/// breaks as the receding edge does.
+#[test]
+fn contact_without_adhesion_on_the_way_in() {
+    let flat = "kind = \"flat-punch\"\nradius = \"0.1\"";
+    let cut_cone = "kind = \"truncated-cone\"\nslope = \"0.1\"\nflat = \"0.1\"";
+    let cut_ball = "kind = \"truncated-paraboloid\"\nradius = 1\nflat = \"0.1\"";
+    let rounded = "kind = \"rounded-punch\"\nradius = 1\nflat = \"0.1\"";
+    let cap = "kind = \"cone-parabolic-cap\"\nslope = \"0.1\"\ncap = \"0.05\"";
+    let cone = "kind = \"cone\"\nslope = \"0.1\"";
+    let sharp = "kind = \"power\"\nn = \"1/3\"\nc = \"0.01\"";
+    let wider = "kind = \"rounded-punch\"\nradius = 1\nflat = \"0.2\"";
+    let sum = format!("kind = \"sum\"\n[[profile.term]]\n{cut_cone}\n[[profile.term]]\n{wider}");
+    let controls = [
+        ("kind = \"indentation\"", "0.01"),
+        ("kind = \"force\"", "0.003"),
+        ("kind = \"machine\"\nstiffness = \"0.3\"", "0.02"),
+    ];
+    for (index, profile) in [flat, cut_cone, cut_ball, rounded, cap, cone, sharp, BALL, &sum].into_iter().enumerate() {
+        // Each shape under one control.
+        let (control, press) = controls[index % 3];
+        let control = format!("{control}\nstart = \"detached\"\npath = [\"-1\", \"{press}\", \"-1\"]");
+        let certified = scene(profile, ["0", "1e-4"], &control, "want = [\"path\"]").unwrap();
+        let found = path(&certified);
+        assert_eq!(found.events.promise, Promise::Certified, "{profile} {control}");
+        let expected = ["start", "touch", "way-point", "pinned", "depinned", "detached", "end"];
+        assert_eq!(kinds(&found), expected, "{profile} {control}");
+        let touched = event(&found, "touch");
+        let radius = number(&touched.to_contact_radius);
+        let is_flat = profile.contains("flat");
+        assert_eq!(radius, if is_flat { 0.1 } else { 0.0 }, "{profile} {control}");
+        assert_eq!((number(&touched.to_indentation), number(&touched.to_force)), (0.0, 0.0));
+        let double = path(&certified.clone().arithmetic(Arithmetic::Double));
+        assert_eq!(kinds(&found), kinds(&double), "{profile} {control}");
+        for (one, other) in found.events.items.iter().zip(&double.events.items) {
+            let [one, other] = [one, other].map(|event| number(&event.contact_radius));
+            assert!((one - other).abs() <= 1e-7 * one, "{one} {other} {profile} {control}");
+        }
+        // The load of Hertz is that of the energy without adhesion: work = stored, and both legs close.
+        if let Some(balance) = &found.balance {
+            let part = |value: &Optional| value.0.as_ref().unwrap().to_f64().unwrap();
+            let [work, lost] = [&balance.work, &balance.dissipated].map(|value| value.to_f64().unwrap());
+            assert!((lost - part(&balance.jumps) - part(&balance.hysteresis)).abs() <= 1e-15 * lost);
+            assert!((work - lost).abs() <= 1e-15 * lost, "apart at both ends: {profile} {control}");
+        }
+    }
+}
+
+fn number(value: &Option<Value>) -> f64 {
+    value.as_ref().map_or(0.0, |value| value.to_f64().unwrap())
+}
+
+/// A flat that just touches, at exactly d = 0, is pinned at its own radius, which no double holds.
+#[test]
+fn flat_that_just_touches() {
+    for profile in
+        ["kind = \"flat-punch\"\nradius = \"0.1\"", "kind = \"truncated-cone\"\nslope = \"0.1\"\nflat = \"0.1\""]
+    {
+        for control in ["kind = \"indentation\"", "kind = \"force\"", "kind = \"machine\"\nstiffness = \"0.3\""] {
+            let control = format!("{control}\nstart = \"detached\"\npath = [\"-1\", 0, \"-1e-9\", \"-1\"]");
+            let found = path(&scene(profile, ["0", "1e-4"], &control, "want = [\"path\"]").unwrap());
+            assert_eq!(found.events.promise, Promise::Certified, "{profile} {control}");
+            let expected = ["start", "touch", "way-point", "pinned", "way-point", "depinned", "detached", "end"];
+            assert_eq!(kinds(&found), expected, "{profile} {control}");
+            // F = −√(8πa³wE*), of a punch of this radius.
+            let force = number(&event(&found, "detached").force);
+            let kendall = -(8.0 * std::f64::consts::PI * 1e-3 * 1e-4_f64).sqrt();
+            assert!((force / kendall - 1.0).abs() < 1e-15, "{force} {kendall} {profile} {control}");
+        }
+    }
+    // With adhesion on the way in a punch is pinned at its edge as well.
+    let control = "kind = \"indentation\"\nstart = \"detached\"\npath = [\"-1\", 0, \"-1\"]";
+    let found = path(
+        &scene("kind = \"flat-punch\"\nradius = \"0.1\"", ["1e-5", "1e-4"], control, "want = [\"path\"]").unwrap(),
+    );
+    assert_eq!(found.events.promise, Promise::Certified);
+    assert_eq!(kinds(&found), ["start", "jump-in", "way-point", "pinned", "depinned", "detached", "end"]);
+}
+
+/// What describes single states has those of both edges, with the energy that is stored: its differences are work.
+#[test]
+fn states_of_both_edges() {
+    let output = "want = [\"curve\", \"energy\", \"pressure\", \"gap\", \"displacement\"]\ndigits = 12\n\
+                  curve = { at = [\"0.5\"] }\nequilibria = { at = [\"-0.05\"] }\npressure = { at = [\"0.1\"] }\n\
+                  gap = { at = [\"0.7\"] }\ndisplacement = { at = [\"0.7\"] }";
+    for works in [["0.01", "0.04"], ["0", "0.04"]] {
+        let certified = scene(BALL, works, "kind = \"indentation\"", output).unwrap();
+        let double = certified.clone().arithmetic(Arithmetic::Double);
+        let [w1, w2] = works.map(|work| work.parse::<f64>().unwrap());
+        for answer in [certified.solve().unwrap(), double.solve().unwrap()] {
+            let curve = &answer.curve().unwrap().items;
+            for (point, (edge, w)) in curve.iter().zip([("advancing", w1), ("receding", w2)]) {
+                let depth = 0.25 - (std::f64::consts::PI * w).sqrt();
+                assert_eq!(point.edge.unwrap().name(), edge);
+                assert!((point.indentation.to_f64().unwrap() - depth).abs() < 1e-11, "{point:?}");
+            }
+            let energies = &answer.energy().unwrap().items[0].items;
+            let edges: Vec<_> = energies.iter().map(|state| state.edge.unwrap().name()).collect();
+            // At w₁ = 0 nothing is held at d < 0.
+            let advancing = if w1 > 0.0 { vec!["advancing"; 2] } else { Vec::new() };
+            assert_eq!(edges, [advancing, vec!["receding"; 2]].concat());
+            for state in energies {
+                let a = state.state.contact_radius.to_f64().unwrap();
+                let d: f64 = -0.05;
+                let elastic = d * d * a - 2.0 * d * a.powi(3) / 3.0 + a.powi(5) / 5.0;
+                let stored = elastic - w1 * std::f64::consts::PI * a * a;
+                assert!((state.energy.to_f64().unwrap() - stored).abs() < 1e-11 * elastic, "{works:?} {state:?}");
+            }
+            for field in [answer.pressure(), answer.gap(), answer.displacement()] {
+                let states = &field.unwrap().items[0].items;
+                assert_eq!(states.iter().map(|state| state.edge.unwrap().name()).collect::<Vec<_>>(), edges);
+                assert!(states.last().unwrap().samples[0].value.to_f64().is_some());
+            }
+        }
+    }
+}
+
+/// A path may start pinned: the state is that of the radius that is given, with the stiffness of a spring.
+#[test]
+fn state_that_is_pinned() {
+    let control = "kind = \"indentation\"\npath = [\"-0.1\", \"-0.3\"]\nstart = \"0.2\"";
+    let output = "want = [\"energy\", \"pressure\"]\ndigits = 12\npressure = { at = [0] }";
+    let certified = scene(BALL, ["0.01", "0.04"], control, output).unwrap();
+    let double = certified.clone().arithmetic(Arithmetic::Double);
+    for answer in [certified.solve().unwrap(), double.solve().unwrap()] {
+        let [state] = &answer.energy().unwrap().items[0].items[..] else { panic!("one state") };
+        assert!(state.edge.is_none() && state.state.contact_radius.to_f64() == Some(0.2));
+        assert_eq!(state.stiffness.to_f64(), Some(0.4));
+        let stored = 0.002 + 0.2 * 0.008 / 3.0 + 0.2_f64.powi(5) / 5.0 - 0.01 * std::f64::consts::PI * 0.04;
+        assert!((state.energy.to_f64().unwrap() - stored).abs() < 1e-14);
+        // p(0) = (1/π)[∫2 dx − (g(a) − d)/a], E* = 1.
+        let pressure = (2.0 * 0.2 - (0.04 + 0.1) / 0.2) / std::f64::consts::PI;
+        let found = answer.pressure().unwrap().items[0].items[0].samples[0].value.to_f64().unwrap();
+        assert!((found - pressure).abs() < 1e-11, "{found} {pressure}");
+    }
+    // From the receding edge, the default, and from the advancing one.
+    for (start, edge) in [("largest", "receding"), ("smallest", "advancing")] {
+        let control = format!("kind = \"indentation\"\npath = [0, \"-0.3\"]\nstart = \"{start}\"");
+        let answer = scene(BALL, ["0.01", "0.04"], &control, output).unwrap().solve().unwrap();
+        assert_eq!(answer.energy().unwrap().items[0].items[0].edge.unwrap().name(), edge);
     }
 }

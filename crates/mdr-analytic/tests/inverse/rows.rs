@@ -3,7 +3,7 @@
 use mdr_analytic::double;
 use mdr_analytic::double::grid::{BatchReport, Path};
 use mdr_analytic::double::{BranchSlices, InverseBatch};
-use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Status};
+use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Stability, Status};
 use rug::Float;
 
 use super::bisection::{Scene, Truth};
@@ -28,7 +28,39 @@ impl Many {
             status: &mut status,
         };
         let tally = inverse.branches(values, &mut found).unwrap();
-        Many { sides, status, tally }
+        let many = Many { sides, status, tally };
+        many.check_stable(inverse, values);
+        many
+    }
+
+    /// [`double::Inverse::stable`] has the numbers of the stable branch; where a value was passed on because of the other branch,
+    /// within an ulp.
+    #[track_caller]
+    fn check_stable(&self, inverse: &double::Inverse, values: &[f64]) {
+        let [mut a, mut x] = [(); 2].map(|()| vec![0.0; values.len()]);
+        let mut status = vec![Status::Undecided; values.len()];
+        let mut found = BranchSlices { contact_radius: &mut a, uncontrolled: &mut x };
+        let report = inverse.stable(values, &mut found, &mut status).unwrap();
+        assert!(report.passed_on <= self.tally.passed_on);
+        for (i, value) in values.iter().enumerate() {
+            let Ok(states) = inverse.equilibria(*value) else {
+                assert!(a[i].is_nan() && status[i] == self.status[i], "{:?} at {value:e}", status[i]);
+                continue;
+            };
+            let states = states.as_slice();
+            let stable = states.iter().position(|state| state.stability != Stability::Unstable);
+            let Some(place) = stable else {
+                assert!(a[i].is_nan() && x[i].is_nan() && status[i] == Status::NoEquilibrium, "at {value:e}");
+                continue;
+            };
+            let side = &self.sides[if states.len() == 2 { place } else { 1 }];
+            for (found, expected) in [(a[i], side[0][i]), (x[i], side[1][i])] {
+                let same = found.to_bits() == expected.to_bits() || (found.is_nan() && expected.is_nan());
+                let close = (found - expected).abs() <= f64::EPSILON * expected.abs();
+                assert!(same || (self.tally.passed_on > 0 && close), "{found:e} {expected:e} at {value:e}");
+            }
+            assert!(status[i] == self.status[i] || (states.len() == 2 && !a[i].is_nan() && !x[i].is_nan()));
+        }
     }
 
     fn at(&self, i: usize) -> [f64; 4] {

@@ -140,7 +140,7 @@ pub(super) fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: 
 }
 
 /// Enters the three quantities and the kind of a fold.
-fn compare<R: Arithmetic>(
+pub(super) fn compare<R: Arithmetic>(
     trial: &mut Trial<'_>,
     closed: &Fold<R>,
     found: &Fold<R>,

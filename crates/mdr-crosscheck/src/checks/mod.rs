@@ -10,6 +10,7 @@ mod equilibria;
 mod folds;
 mod graded;
 mod half_space;
+mod hysteresis;
 mod identities;
 mod kappa;
 mod known;
@@ -129,6 +130,7 @@ const RUNS: &[(&str, Case)] = &[
     ("path-energy-balance", by_turns!(every 8, path::balance)),
     ("path-losses", by_turns!(every 8, path::losses)),
     ("path-admissible", path::admissible),
+    ("hysteresis-loop", by_turns!(every 8, hysteresis::loops)),
     ("machine-folds-in-their-equations", by_turns!(machine::folds)),
     ("maugis-dugdale-paraboloid", by_turns!(dugdale::paraboloid)),
     ("maugis-dugdale-profiles", by_turns!(all profiles, dugdale::profile)),

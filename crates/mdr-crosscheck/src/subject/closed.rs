@@ -2,7 +2,7 @@
 
 use mdr_analytic::certified::{self, Question};
 use mdr_analytic::media::{self, GradedContact, GradedHalfSpace, JohnsonWave, LineContact, WaveControl, WaveState};
-use mdr_analytic::{Kappa, MaugisState, PowerLaw, PowerLawContact, ScaleFreeOutcome, State};
+use mdr_analytic::{Kappa, LoopWork, MaugisState, PowerLaw, PowerLawContact, ScaleFreeOutcome, State};
 use mdr_core::contact::{Control, Equilibrium, Error, Fold, Material, Quantity, Result, Transform};
 use mdr_core::number::certify::Decimal;
 use mdr_core::number::{Gamma, Precision, Real, Special};
@@ -57,6 +57,7 @@ macro_rules! states {
 
 states! {
     MaugisState: balance indentation force;
+    LoopWork: jump_in hysteresis pull_off;
     State: contact_radius indentation force;
     Fold: contact_radius indentation force;
     Equilibrium: contact_radius indentation force;
@@ -231,6 +232,18 @@ subjects! {
             "PowerLawContact::energy_lost_at_jump_in" [JumpInLoss] of GIVEN => given(contact);
         fn barrier_to_complete_contact<R: Real>(contact: &PowerLawContact<R>) -> R = contact.barrier_to_complete_contact(),
             "PowerLawContact::barrier_to_complete_contact" [CompleteContactBarrier] of GIVEN => given(contact);
+        fn least_ratio_for_full_pull_off<R: Real>(n: &R, control: &Control<R>) -> R =
+            mdr_analytic::least_ratio_for_full_pull_off(n, control),
+            "least_ratio_for_full_pull_off" [FullPullOffRatio] of [] => [];
+        fn preload_for_full_pull_off<R: Real>(contact: &PowerLawContact<R>, advancing: &R, control: &Control<R>) -> R =
+            contact.preload_for_full_pull_off(advancing, control),
+            "PowerLawContact::preload_for_full_pull_off" [FullPullOffPreload] of GIVEN => given(contact);
+        fn pull_off_from<R: Real>(contact: &PowerLawContact<R>, radius: &R, control: &Control<R>) -> State<R> =
+            contact.pull_off_from(radius, control),
+            "PowerLawContact::pull_off_from" [PullOffRadius, PullOffIndentation, PullOffForce] of GIVEN => given(contact);
+        fn loop_work<R: Real>(contact: &PowerLawContact<R>, advancing: &R, radius: &R) -> LoopWork<R> =
+            contact.loop_work(advancing, radius),
+            "PowerLawContact::loop_work" [LoopJumpIn, LoopHysteresis, LoopPullOff] of GIVEN => given(contact);
         fn lemniscate_constant<R: Real>(like: &R) -> R = Result::Ok(mdr_analytic::lemniscate_constant(like)),
             "lemniscate_constant" [LemniscateConstant] of [] => [];
         fn threshold<R: Real>(material: &Material<R>, control: &Control<R>) -> R =

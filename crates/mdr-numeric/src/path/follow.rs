@@ -121,6 +121,8 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
             Position::Ended => return Ok(false),
             Position::Branch(branch) => branch,
             Position::Fold(fold) if self.is_maximum(fold) => fold,
+            // A flat has touched at this very value.
+            Position::Fold(_) if *target == self.value => return Ok(false),
             Position::Fold(fold) => {
                 self.place = Position::Branch(fold + 1);
                 return Ok(true);
@@ -310,6 +312,15 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
 
     /// From a point contact to the next equilibrium at zero, from a branch on.
     fn jump_in(&mut self, zero: &R, branch: usize) -> Result<()> {
+        let flat = branch.checked_sub(1).and_then(|fold| Some((fold, self.branches.folds().get(fold)?)));
+        if let Some((fold, end)) = flat
+            && self.branches.compare(zero, end)? == Ordering::Equal
+        {
+            // Without adhesion the whole of a flat touches, and nothing is lost.
+            self.place = Position::Fold(fold);
+            self.enter(EventKind::Touch, zero, ContactState::Detached, at_fold(end), None);
+            return Ok(());
+        }
         match next_stable(self.branches, zero, Some(branch), Towards::Larger)? {
             Some((_, rest)) if !self.may_rest(zero, zero, &rest)? => {}
             Some((branch, rest)) => {

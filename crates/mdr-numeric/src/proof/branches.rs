@@ -102,6 +102,16 @@ impl ProvedBranches {
         Ok(End { enclosure, radius, excess })
     }
 
+    /// The end on a flat that just touches without adhesion, where the direction is exactly 0: the sign beside the fold at its end.
+    fn at_flat(&self, end: End) -> End {
+        let zero = end.excess.lit(0);
+        if end.excess == zero && self.curve.plain.adhesion().vanishes() {
+            End { excess: zero.lit(1), ..end }
+        } else {
+            end
+        }
+    }
+
     /// The sign at a radius that is not a fold.
     fn at_radius(&self, radius: Interval, value: &Interval) -> Result<End> {
         let excess = self.direction(&radius, value)?;
@@ -123,7 +133,7 @@ impl ProvedBranches {
         let below = branch.checked_sub(1).and_then(|index| self.folds.get(index));
         let lower = match below {
             Some(fold) => self.at_fold(fold, fold.contact_radius.upper(), value)?,
-            None => self.at_radius(promoted(&self.range.0), value)?,
+            None => self.at_flat(self.at_radius(promoted(&self.range.0), value)?),
         };
         let upper = match (self.folds.get(branch), &self.edge) {
             (Some(fold), _) => self.at_fold(fold, fold.contact_radius.lower(), value)?,
@@ -254,6 +264,10 @@ fn octaves() -> impl Iterator<Item = i64> {
 impl EquilibriumBranches<Interval> for ProvedBranches {
     fn control(&self) -> &Control<Interval> {
         self.curve.plain.control()
+    }
+
+    fn is_same(&self, one: &Interval, other: &Interval) -> bool {
+        one.lower() == other.lower() && one.upper() == other.upper()
     }
 
     fn tip_value(&self, like: &Interval) -> Interval {

@@ -99,7 +99,7 @@ impl EnclosedCurve {
         let Some(kink) = self.plain.transform().kink(index, &margin)? else { return Ok(None) };
         let around = radius.clone().inflate(&(margin * radius));
         let below = self.sign(&around, &kink.inside);
-        let above = self.sign(&around, &kink.outside);
+        let above = self.sign(&around, &kink.outside).or_else(|| self.rises_beyond_flat(&kink));
         let signs = match (below, above) {
             (Some(below), _) if self.is_vertical_edge(index) => (below, None),
             (Some(below), Some(above)) => (below, Some(above)),
@@ -108,11 +108,19 @@ impl EnclosedCurve {
         Ok(Some(Known { kink, signs }))
     }
 
+    /// Without adhesion contact is held beyond the end of a flat wherever g does not fall, also where g' begins with 0.
+    fn rises_beyond_flat(&self, kink: &Kink<Interval>) -> Option<Ordering> {
+        let flat = kink.inside.greatest.as_ref().is_some_and(|greatest| *greatest == greatest.lit(0));
+        let rises = flat && self.plain.adhesion().vanishes() && self.plain.transform().rises();
+        rises.then_some(Ordering::Greater)
+    }
+
     /// The sign of the condition at all radii of a cell, from bounds of g'.
     pub(super) fn sign(&self, cell: &Interval, slopes: &Slopes<Interval>) -> Option<Ordering> {
         let threshold = self.plain.critical_ratio_at(cell);
         let ratio = |slope: &Interval| self.plain.tangency_of(slope.clone(), cell);
-        if slopes.greatest.as_ref().is_some_and(|greatest| ratio(greatest) < threshold) {
+        let holding = |greatest: &Interval| self.holding(ratio(greatest));
+        if slopes.greatest.as_ref().is_some_and(|greatest| holding(greatest) < threshold) {
             Some(Ordering::Less)
         } else if slopes.least.as_ref().is_some_and(|least| ratio(least) > threshold) {
             Some(Ordering::Greater)

@@ -181,8 +181,13 @@ impl EnclosedCurve {
     fn condition(&self, a: &Interval) -> Result<Interval> {
         match self.plain.tangency(a) {
             Err(Error::Domain { .. }) => Ok(Interval::entire(a.ctx())),
-            ratio => Ok(ratio? - self.plain.critical_ratio_at(a)),
+            ratio => Ok(self.holding(ratio?) - self.plain.critical_ratio_at(a)),
         }
+    }
+
+    /// The tangency ratio, but −1 where g' = 0 on all of a cell and there is no adhesion: on a flat surfaces touch without holding.
+    fn holding(&self, ratio: Interval) -> Interval {
+        if ratio == ratio.lit(0) && self.plain.adhesion().vanishes() { ratio.lit(-1) } else { ratio }
     }
 
     fn slope(&self, a: &Interval) -> Result<Interval> {
@@ -196,7 +201,11 @@ impl EnclosedCurve {
                 let unknown = Interval::entire(a.ctx());
                 Ok(Dual { value: unknown.clone(), slope: unknown })
             }
-            ratio => Ok(ratio? - self.moving.critical_ratio_at(&a)),
+            ratio => {
+                let ratio = ratio?;
+                let ratio = Dual { value: self.holding(ratio.value), ..ratio };
+                Ok(ratio - self.moving.critical_ratio_at(&a))
+            }
         }
     }
 

@@ -31,6 +31,7 @@ mod far;
 mod hermite;
 mod read;
 mod rough;
+mod series;
 mod smooth;
 mod tip;
 mod transform;
@@ -45,6 +46,7 @@ use mdr_core::contact::{Error, Quantity, Result};
 use mdr_core::number::{Literal, Special};
 use mdr_core::units::scaled;
 use read::metre_power;
+use series::Series;
 
 /// The fewest rows of a table. With four, two radii have slopes from data on both sides.
 pub const MINIMUM_ROWS: usize = 4;
@@ -115,14 +117,15 @@ impl Table {
 /// profile that is straight between rows), rounding errors are below L u x M for g and L u x² M for G, however close x
 /// is to a row. That of g' is below 4L u Σᵢ (1 + rᵢ₊₁/Δrᵢ) |Δfᵢ/Δrᵢ| Δθᵢ: f'' is a second difference of the data, and
 /// with the limited slopes |f'| is up to three times, |Δrᵢ f''| up to twelve times |Δfᵢ/Δrᵢ|. An evaluation costs O(log
-/// rows) in f64. Above 64 bits it costs O(rows), with an additional rounding error of at worst (rows) u. Over intervals
-/// every piece is also summed, and the result is an enclosure for every table within the enclosures of the decimals; radii that
+/// rows) in f64, and with up to 512 bits after the first few, which sum over all rows with an additional rounding error of at worst
+/// (rows) u, as all do above 512 bits. Over intervals the result is an enclosure for every table within the enclosures of the decimals; radii that
 /// straddle a row are rejected, and [`Transform::kink`](mdr_core::contact::Transform::kink) gives the bounds there.
 #[derive(Clone, Debug)]
 pub struct MeasuredProfile<R> {
     pieces: Vec<Piece<R>>,
     end: R,
     far: Option<FarField<R>>,
+    series: Series<R>,
 }
 
 impl<R: Special> MeasuredProfile<R> {
@@ -146,6 +149,6 @@ impl<R: Special> MeasuredProfile<R> {
         let pieces = hermite::pieces(&points)?;
         let far = FarField::new(&pieces)?;
         let (end, _) = points.swap_remove(points.len() - 1);
-        Ok(MeasuredProfile { pieces, end, far })
+        Ok(MeasuredProfile { pieces, end, far, series: Series::default() })
     }
 }

@@ -6,6 +6,7 @@ use mdr_core::number::Special;
 use super::MeasuredProfile;
 use super::arc::{Arc, Spoke};
 use super::hermite::{Piece, Quadratic};
+use super::series;
 
 /// The three integrals over θ, r = x sin θ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,14 +40,29 @@ impl<R: Special> MeasuredProfile<R> {
         if whole == 0 {
             return self.pieces[0].share_at_tip(part, x);
         }
+        let (sum, spoke) = self.below(part, x, whole);
+        let last = &self.pieces[whole];
+        let length = (x.clone() - &last.start) / &last.width;
+        sum + last.share(part, x, &spoke, &Spoke::edge(x), &length)
+    }
+}
+
+impl<R: Special> MeasuredProfile<R> {
+    /// The contribution of all pieces before that of index `whole`, far ones together, and the spoke to its start.
+    fn below(&self, part: Part, x: &R, whole: usize) -> (R, Spoke<R>) {
+        let tree = if self.far.is_some() { None } else { self.series.tree(&self.pieces) };
+        let tree = tree.map(|tree| (tree, series::bits_of(x)));
+        let far = |next: usize| match (&self.far, tree) {
+            (Some(far), _) => far.cluster(next, whole, x).map(|(cluster, after)| (far.share(cluster, part, x), after)),
+            (None, Some((tree, bits))) => tree.share(part, x, bits, next, whole),
+            (None, None) => None,
+        };
         let mut sum = x.lit(0);
         let mut next = 0;
         let mut spoke = Spoke::new(&x.lit(0), x);
         while next < whole {
-            if let Some((far, (cluster, after))) =
-                self.far.as_ref().and_then(|far| Some((far, far.cluster(next, whole, x)?)))
-            {
-                sum += &far.share(cluster, part, x);
+            if let Some((share, after)) = far(next) {
+                sum += &share;
                 next = after;
                 spoke = Spoke::new(&self.pieces[next].start, x);
             } else {
@@ -56,9 +72,7 @@ impl<R: Special> MeasuredProfile<R> {
                 spoke = to;
             }
         }
-        let last = &self.pieces[whole];
-        let length = (x.clone() - &last.start) / &last.width;
-        sum + last.share(part, x, &spoke, &Spoke::edge(x), &length)
+        (sum, spoke)
     }
 }
 
@@ -150,11 +164,8 @@ impl<R: Special> MeasuredProfile<R> {
         let stretch = margin.lit(1) + margin;
         let tangent = ((margin.lit(2) + margin) * margin).sqrt();
         let spoke = Spoke { sin: next.start.clone() / x, cos: up_to(tangent.clone() / &stretch) };
-        let before: R = (0..last).fold(x.lit(0), |sum, i| {
-            let [from, to] = [i, i + 1].map(|row| Spoke::new(&self.pieces[row].start, x));
-            sum + self.pieces[i].share(Part::Slope, x, &from, &to, &x.lit(1))
-        });
-        let whole = piece.share(Part::Slope, x, &Spoke::new(&piece.start, x), &spoke, &x.lit(1));
+        let (before, from) = self.below(Part::Slope, x, last);
+        let whole = piece.share(Part::Slope, x, &from, &spoke, &x.lit(1));
         let beyond = next.bend.at(&up_to(margin.clone() * &next.start / &next.width)) * up_to(tangent.atan());
         before + whole + beyond
     }

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._edges import Works, in_scene, path_of, trace_of, works_of
 from ._numbers import Floats, Number, array, digits_of, double, exact, plain, positive, shaped
 from ._media import Medium
 from ._profiles import Files, Profile
@@ -84,8 +85,10 @@ class Contact:
     e_star : Number
         The effective modulus E* in Pa; of two bodies :func:`effective_modulus`. :class:`Graded` and :class:`Winkler` media have
         their own modulus in its place.
-    work_of_adhesion : Number
-        w in J/m²: the full work of separation, not half of it.
+    work_of_adhesion : Number, or a pair of them
+        w in J/m²: the full work of separation, not half of it. ``(w1, w2)`` or ``{"advancing": w1, "receding": w2}`` are those of an
+        edge that advances and of one that recedes, ``0 <= w1 <= w2``: :meth:`path`, :meth:`follow` and :meth:`scene` take both, all
+        else that of one edge, :meth:`at`.
     medium : Medium, optional
         :class:`Graded`, :class:`Winkler`, :class:`Plane` or :class:`Periodic` instead of a half-space. Forces on the last two are
         per length, in N/m, and per area, in Pa.
@@ -103,22 +106,25 @@ class Contact:
     Contact(Cone(slope=0.1), e_star=1000000.0, work_of_adhesion=0.05)
     >>> [fold.kind for fold in cone.folds("force")]
     ['minimum']
+    >>> sticky = mdr.Contact(mdr.Paraboloid(1), e_star=1, work_of_adhesion=("10 mJ/m2", "40 mJ/m2"))
+    >>> [event.kind for event in sticky.path(indentation=[-0.3, 0.05, -0.3], start="detached").events]
+    ['start', 'jump-in', 'way-point', 'pinned', 'depinned', 'detached', 'end']
     """
 
     __slots__ = ("_profile", "_e_star", "_work", "_medium", "_core")
 
     @overload
-    def __init__(self, profile: Profile, *, e_star: Number, work_of_adhesion: Number, medium: None = None) -> None: ...
+    def __init__(self, profile: Profile, *, e_star: Number, work_of_adhesion: Works, medium: None = None) -> None: ...
     @overload
     def __init__(
-        self, profile: Profile, *, e_star: Number | None = None, work_of_adhesion: Number, medium: Medium
+        self, profile: Profile, *, e_star: Number | None = None, work_of_adhesion: Works, medium: Medium
     ) -> None: ...
     def __init__(
         self,
         profile: Profile,
         *,
         e_star: Number | None = None,
-        work_of_adhesion: Number,
+        work_of_adhesion: Works,
         medium: Medium | None = None,
     ) -> None:
         if medium is not None and not isinstance(medium, Medium):
@@ -127,10 +133,9 @@ class Contact:
             positive(e_star, "e_star", "the effective modulus E*")
         elif medium is None or not medium._own_modulus:
             raise TypeError("e_star is missing: the effective modulus E* in Pa")
-        positive(work_of_adhesion, "work_of_adhesion", "the work of adhesion w")
-        self._profile, self._work, self._medium = profile, plain(work_of_adhesion), medium
+        self._profile, self._work, self._medium = profile, works_of(work_of_adhesion), medium
         self._e_star = None if e_star is None else plain(e_star)
-        self._core = core_of(profile, e_star, work_of_adhesion, medium)
+        self._core = core_of(profile, e_star, self._work[1] if isinstance(self._work, tuple) else self._work, medium)
 
     @property
     def profile(self) -> Profile:
@@ -143,8 +148,33 @@ class Contact:
         return self._e_star
 
     @property
-    def work_of_adhesion(self) -> Number:
-        """w in J/m², as given."""
+    def work_of_adhesion(self) -> Number | tuple[Number, Number]:
+        """w in J/m², as given; with two works of adhesion, that of an advancing and that of a receding edge."""
+        return self._work
+
+    def at(self, edge: Literal["advancing", "receding"]) -> Contact:
+        """The contact with the work of adhesion of one edge alone.
+
+        Examples
+        --------
+        >>> import mdr
+        >>> sticky = mdr.Contact(mdr.Paraboloid(1), e_star=1, work_of_adhesion=(0.01, 0.04))
+        >>> sticky.at("receding").work_of_adhesion
+        0.04
+        """
+        if edge not in ("advancing", "receding"):
+            raise ValueError(f"edge must be 'advancing' or 'receding', got {edge!r}")
+        if not isinstance(self._work, tuple):
+            return self
+        return _contact(self._profile, self._e_star, self._work[edge == "receding"], self._medium)
+
+    def _of_one(self, what: str) -> Number:
+        """The work of adhesion of what has one."""
+        if isinstance(self._work, tuple):
+            raise ValueError(
+                f"{what} takes one work of adhesion: ask contact.at('receding') or contact.at('advancing'); path, follow and "
+                "scene take both"
+            )
         return self._work
 
     @property
@@ -152,16 +182,16 @@ class Contact:
         """What it is pressed into; None for a homogeneous half-space."""
         return self._medium
 
-    def _material(self) -> dict[str, Number]:
+    def _material(self) -> dict[str, Any]:
         """The table ``[material]`` of a scene."""
         modulus = {} if self._e_star is None else {"e_star": self._e_star}
-        return modulus | {"work_of_adhesion": self._work}
+        return modulus | {"work_of_adhesion": in_scene(self._work)}
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _contact, (self._profile, self._e_star, self._work, self._medium)
 
     def __repr__(self) -> str:
-        named: dict[str, Any] = self._material() | ({} if self._medium is None else {"medium": self._medium})
+        named: dict[str, Any] = self._material() | {"work_of_adhesion": self._work} | ({} if self._medium is None else {"medium": self._medium})
         return f"Contact({self._profile!r}, {', '.join(f'{name}={value!r}' for name, value in named.items())})"
 
     def __eq__(self, other: object) -> bool:
@@ -203,6 +233,7 @@ class Contact:
         >>> ball.critical("force", digits=30).force
         Decimal('-2.35619449019234492884698253746E-7')
         """
+        self._of_one("critical")
         held, stiffness = held_by(control)
         k = None if stiffness is None else exact(stiffness, "stiffness")
         if digits is None:
@@ -215,6 +246,7 @@ class Contact:
 
         Of a rough or wavy profile the strongest pull on the way may be larger: that is ``path(…).force.min()``.
         """
+        self._of_one("pull_off")
         held, stiffness = held_by(control)
         return State(*self._core.pull_off(held, stiffness_of(stiffness)))
 
@@ -242,6 +274,7 @@ class Contact:
         >>> [(fold.kind, fold.force) for fold in tip.folds("indentation", digits=6)][0]
         ('minimum', Decimal('-0.000106943'))
         """
+        self._of_one("folds")
         held, stiffness = held_by(control)
         if digits is None:
             return tuple(Fold(*fold) for fold in self._core.folds(held, stiffness_of(stiffness)))
@@ -274,6 +307,7 @@ class Contact:
         >>> bool(abs((up - down) / 2e-12 / force - 1) < 1e-3)  # the force is the slope of the energy
         True
         """
+        self._of_one("energy")
         held, flat, shape, k = _held_values(indentation, force, position, stiffness)
         from ._scene import solve
 
@@ -317,7 +351,7 @@ class Contact:
         inputs: dict[str, Number] = {name: value for name, value in self._profile.parameters.items() if name != "n"}
         if not inputs or set(self._profile.parameters) != {field.name for field in dataclasses.fields(self._profile)}:
             raise TypeError(f"no sensitivity to the parameters of {self._profile!r}")
-        inputs |= self._material()
+        inputs |= self._material() | {"work_of_adhesion": self._of_one("sensitivity")}
         of_medium = [] if self._medium is None else [name for name in self._medium.parameters if name not in _EXPONENTS]
         inputs |= {f"medium.{name}": self._medium.parameters[name] for name in of_medium if self._medium is not None}
         if stiffness is not None:
@@ -384,6 +418,7 @@ class Contact:
         >>> mdr.Status(states.status[0])
         <Status.NO_EQUILIBRIUM: 2>
         """
+        self._of_one("states")
         if branch not in ("largest", "smallest"):
             raise ValueError(f"branch must be 'largest' or 'smallest', got {branch!r}")
         # One double needs no arrays on its way.
@@ -413,6 +448,7 @@ class Contact:
         >>> both.contact_radius.shape, both.stable.tolist(), both.count.tolist()
         ((2, 2), [False, True], [2, 2])
         """
+        self._of_one("equilibria")
         held, flat, shape, k = _held_values(indentation, force, position, stiffness)
         columns, admissible, stable, status = self._core.equilibria(flat, held, k)
 
@@ -424,6 +460,7 @@ class Contact:
 
     def curve(self, contact_radius: ArrayLike) -> States:
         """The equilibrium with each contact radius, stable or not; ``DOMAIN_ERROR`` outside of the profile."""
+        self._of_one("curve")
         radii, shape = array(contact_radius, "contact_radius")
         columns, status = self._core.curve(radii)
         return States(*(shaped(column, shape) for column in (*columns, status)))
@@ -452,6 +489,7 @@ class Contact:
         return self._field("displacement", r, contact_radius)
 
     def _field(self, name: str, r: ArrayLike, contact_radius: float) -> Floats:
+        self._of_one(name)
         radii, shape = array(r, "r")
         field: Floats = shaped(self._core.field(name, double(contact_radius, "contact_radius"), radii), shape)
         return field
@@ -481,6 +519,8 @@ class Contact:
             There is no such state at the first value.
         """
         held, flat, shape, k = _held_values(indentation, force, position, stiffness)
+        if isinstance(self._work, tuple):
+            return trace_of(self._between(held, flat, stiffness, start), shape)
         columns, status, jumps = self._core.follow(flat, held, k, start)
         at = flat.reshape(shape) if held == "position" else None
         a, d, f, status = (shaped(column, shape) for column in (*columns, status))
@@ -503,7 +543,7 @@ class Contact:
         indentation, force, position, stiffness, start
             As those of :meth:`follow`; the values are way points.
         samples : int
-            States between each two events.
+            States between each two events; with two works of adhesion, about so many between two way points.
 
         Examples
         --------
@@ -516,6 +556,8 @@ class Contact:
         False
         """
         held, flat, _, k = _held_values(indentation, force, position, stiffness)
+        if isinstance(self._work, tuple):
+            return path_of(self._between(held, flat, stiffness, start), samples)
         happenings, (a, d, f), balance = self._core.path(flat, held, k, start, samples)
         events = tuple(_event(event) for event in happenings)
         lost = sum(event.dissipated for event in events)
@@ -573,8 +615,17 @@ class Contact:
         scene = {"material": self._material(), "profile": self._profile, "control": by, "output": output}
         return scene if self._medium is None else scene | {"medium": self._medium}
 
+    def _between(self, held: str, flat: Floats, stiffness: Number | None, start: Start) -> dict[str, Any]:
+        """The scene of a path between two works of adhesion."""
+        way = [float(value) for value in flat]
+        if not all(map(math.isfinite, way)) or not way:
+            raise ValueError(f"{held}: expected finite values, at least one")
+        control: Control = "force" if held == "force" else "indentation"
+        if stiffness is not None:
+            control = Machine(stiffness)
+        return self.scene(control, path=way if len(way) > 1 else way * 2, start=start)
 
-def _contact(profile: Profile, e_star: Number | None, work_of_adhesion: Number, medium: Medium | None = None) -> Contact:
+def _contact(profile: Profile, e_star: Number | None, work_of_adhesion: Works, medium: Medium | None = None) -> Contact:
     if medium is None:
         assert e_star is not None
         return Contact(profile, e_star=e_star, work_of_adhesion=work_of_adhesion)

@@ -81,7 +81,9 @@ class States:
 class Event:
     """Something that happens on the way: ``jump-in``, ``jump``, ``detached`` and the like, as in scenes.
 
-    ``value`` is that of the controlled quantity, and ``dissipated`` the energy lost in J, infinite where it has no bound.
+    ``value`` is that of the controlled quantity, and ``dissipated`` the energy lost in J, infinite where it has no bound. With two
+    works of adhesion ``hysteresis`` is the part of it that the receding edge has lost since the event before, and ``edge`` the
+    one that jumps, stops, or begins to move.
     """
 
     kind: str
@@ -89,6 +91,8 @@ class Event:
     before: State[float]
     after: State[float]
     dissipated: float
+    hysteresis: float = 0.0
+    edge: str | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -10,7 +10,7 @@ mod theorem;
 mod verdict;
 
 pub use coq::statements_in_coq;
-pub use theorem::{Basis, Theorem, theorems};
+pub use theorem::{Theorem, TheoremBasis, theorems};
 pub use verdict::Verdict;
 
 use std::sync::LazyLock;

@@ -27,7 +27,7 @@ pub fn theorems() -> impl Iterator<Item = Theorem> {
 
 /// What the theorems of an entry are about: a theorem of algebra is none of physics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Basis {
+pub enum TheoremBasis {
     /// They follow from the energy of the foundation.
     Derived,
     /// They are algebra with a law that is taken from the literature.
@@ -39,22 +39,22 @@ pub enum Basis {
 /// The entries that are not derived from the energy.
 const BASIS: &str = include_str!("../../data/basis.tsv");
 
-impl Basis {
+impl TheoremBasis {
     /// The basis in words, to stand after the word "theorem".
     pub fn words(self) -> String {
         match self {
-            Basis::Derived => "derived".to_owned(),
-            Basis::CitedLaw(law) => format!("algebra of a cited law: {law}"),
-            Basis::Definition(of) => format!("algebra of a definition: {of}"),
+            TheoremBasis::Derived => "derived".to_owned(),
+            TheoremBasis::CitedLaw(law) => format!("algebra of a cited law: {law}"),
+            TheoremBasis::Definition(of) => format!("algebra of a definition: {of}"),
         }
     }
 
     /// The basis in one or two words.
     pub fn word(self) -> &'static str {
         match self {
-            Basis::Derived => "derived",
-            Basis::CitedLaw(_) => "cited law",
-            Basis::Definition(_) => "definition",
+            TheoremBasis::Derived => "derived",
+            TheoremBasis::CitedLaw(_) => "cited law",
+            TheoremBasis::Definition(_) => "definition",
         }
     }
 }
@@ -63,19 +63,19 @@ impl Entry {
     /// What the theorems of the entry rest on; `None` for an entry without a theorem.
     ///
     /// ```
-    /// use mdr_symbolic::derivations::{Basis, entry};
+    /// use mdr_symbolic::derivations::{TheoremBasis, entry};
     /// let basis = |id| entry(id).and_then(|entry| entry.basis());
-    /// assert_eq!(basis("1.5"), Some(Basis::Derived));
-    /// assert_eq!(basis("1.2"), Some(Basis::CitedLaw("the stiffness of the flat punch")));
+    /// assert_eq!(basis("1.5"), Some(TheoremBasis::Derived));
+    /// assert_eq!(basis("1.2"), Some(TheoremBasis::CitedLaw("the stiffness of the flat punch")));
     /// assert_eq!(basis("maugis-dugdale"), None);
     /// ```
-    pub fn basis(&self) -> Option<Basis> {
+    pub fn basis(&self) -> Option<TheoremBasis> {
         self.theorems().next()?;
         let row = rows(BASIS).find(|[entry, _, _]| *entry == self.id);
         Some(match row {
-            Some([_, "law", law]) => Basis::CitedLaw(law),
-            Some([_, _, of]) => Basis::Definition(of),
-            None => Basis::Derived,
+            Some([_, "law", law]) => TheoremBasis::CitedLaw(law),
+            Some([_, _, of]) => TheoremBasis::Definition(of),
+            None => TheoremBasis::Derived,
         })
     }
 

@@ -216,3 +216,13 @@ impl<T> List<T> {
         self
     }
 }
+
+impl<T> List<AtValue<T>> {
+    /// The items of another list at the same values, after those of this one at each.
+    pub(crate) fn with(mut self, other: Self) -> Self {
+        let List { items, promise, complete } = other;
+        self.items =
+            std::mem::take(&mut self.items).into_iter().zip(items).map(|(one, other)| one.and(other)).collect();
+        self.and(List { items: Vec::new(), promise, complete })
+    }
+}

@@ -47,7 +47,7 @@ impl Contact {
     /// [`Stopped`](crate::ContactError::Stopped).
     pub fn states(&self, control: &Control<f64>, values: &[f64], choice: Choice, stop: &Stop) -> Result<States> {
         if let Some(inverse) = self.inverse(control)? {
-            return stable_by_closed_form(inverse, self.has_large_branch(), control, values);
+            return stable_by_closed_form(inverse, control, values);
         }
         self.branched(control, stop, true, |branches| {
             let mut order: Vec<usize> = (0..=branches.folds().len()).collect();
@@ -182,29 +182,19 @@ fn by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values
 }
 
 /// The stable branch of a power law alone.
-fn stable_by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values: &[f64]) -> Result<States> {
-    let [mut a, mut x, mut other_a, mut other_x] = [[0.0; BLOCK]; 4];
-    let mut status = [Status::Ok; BLOCK];
-    let mut states = States::with_capacity(values.len());
-    for block in values.chunks(BLOCK) {
-        let len = block.len();
-        let stable = BranchSlices { contact_radius: &mut a[..len], uncontrolled: &mut x[..len] };
-        let unstable = BranchSlices { contact_radius: &mut other_a[..len], uncontrolled: &mut other_x[..len] };
-        let (smaller, larger) = if large { (unstable, stable) } else { (stable, unstable) };
-        inverse.branches(block, &mut Rows { smaller, larger, status: &mut status[..len] })?;
-        for (a, status) in a.iter().zip(&mut status[..len]) {
-            if a.is_nan() && matches!(status, Status::Ok | Status::Fold) {
-                *status = Status::NoEquilibrium;
-            }
-        }
-        let (held, other) = match control {
-            Control::Force => (&mut states.force, &mut states.indentation),
-            _ => (&mut states.indentation, &mut states.force),
-        };
-        held.extend(block.iter().zip(&a).map(|(value, a)| where_known(*value, *a)));
-        other.extend_from_slice(&x[..len]);
-        states.contact_radius.extend_from_slice(&a[..len]);
-        states.status.extend_from_slice(&status[..len]);
+fn stable_by_closed_form(inverse: &Inverse, control: &Control<f64>, values: &[f64]) -> Result<States> {
+    let len = values.len();
+    let mut states = States {
+        contact_radius: vec![0.0; len],
+        indentation: vec![0.0; len],
+        force: vec![0.0; len],
+        status: vec![Status::Ok; len],
+    };
+    let States { contact_radius, indentation, force, status } = &mut states;
+    let (held, other) = if *control == Control::Force { (force, indentation) } else { (indentation, force) };
+    inverse.stable(values, &mut BranchSlices { contact_radius, uncontrolled: other }, status)?;
+    for ((held, value), a) in held.iter_mut().zip(values).zip(contact_radius.iter()) {
+        *held = where_known(*value, *a);
     }
     Ok(states)
 }

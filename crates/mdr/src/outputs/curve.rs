@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 #[cfg(feature = "mp")]
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Error, Quantity, Result, Stability};
+use mdr_core::contact::{Edge, Error, Quantity, Result, Stability};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
@@ -51,6 +51,8 @@ record! {
         stability: CurveStability,
         /// Whether the state is admissible; `None` if it has no indentation depth.
         admissible: Option<Admission<N>>,
+        /// With two works of adhesion, the edge that is in equilibrium.
+        edge: Option<Edge>,
     }
 }
 
@@ -112,6 +114,13 @@ impl<'w> IsRoom<'w> for Room<'w> {
         Ok(Output::Curve(search::list(points(&search.model, &radii, &search.admissibility())?)))
     }
 
+    /// The curve of an advancing edge, then that of a receding one: at a radius the states between the two are pinned.
+    fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
+        let [Output::Curve(advancing), Output::Curve(receding)] = outputs else { return None };
+        let of = |edge: Edge| move |point: CurvePoint| CurvePoint { edge: Some(edge), ..point };
+        Some(Output::Curve(advancing.map(of(Edge::Advancing)).and(receding.map(of(Edge::Receding)))))
+    }
+
     fn undecided(&self, open: &Open<'_>) -> Output {
         let point = |a: &Literal| CurvePoint {
             contact_radius: a.clone(),
@@ -119,6 +128,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
             force: open.value(),
             stability: CurveStability(open.value()),
             admissible: None,
+            edge: None,
         };
         Output::Curve(List::new(open.promise, self.at.iter().map(point).collect()).complete(open.completeness()))
     }
@@ -158,6 +168,7 @@ fn points<R: SceneReal>(
             force: Value::from_result(force)?,
             stability: CurveStability(stability),
             admissible: verdict.map(Admission::of),
+            edge: None,
         })
     };
     radii.iter().map(at).collect()

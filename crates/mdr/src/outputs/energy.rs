@@ -1,13 +1,12 @@
 //! The output `energy`: potential energy and stiffness of states.
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::Result;
+use mdr_core::contact::{Edge, Result};
 use mdr_core::number::Literal;
 use mdr_numeric::energy::Energy;
-use mdr_numeric::fields::Fields;
 #[cfg(feature = "mp")]
 use {
-    mdr_analytic::certified::{Curve, Point},
+    mdr_analytic::certified::{Curve, Point, Scaled},
     mdr_core::contact::{Control, Equilibrium, Error, Quantity, Stability},
     mdr_core::number::certify::Enclosure,
     mdr_core::number::{Interval, Real},
@@ -15,6 +14,9 @@ use {
     rug::Rational,
 };
 
+use super::path::edges::{self, Held};
+#[cfg(feature = "mp")]
+use super::path::with_edges;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject, not_wanted};
 use super::{Output, Want};
 use crate::answer::record::{Numbers, record};
@@ -34,12 +36,14 @@ record! {
     EnergyState {
         /// The state.
         state: PlainState<N>,
-        /// The potential energy Π of (1.10).
+        /// The potential energy Π of (1.10), with two works of adhesion the energy stored: with the smaller one.
         energy: Value<N> = "energy" in "J",
-        /// dF/dd along the equilibria, in N/m.
+        /// dF/dd along the equilibria, in N/m; of an edge that is pinned, at its radius.
         stiffness: Value<N> = "stiffness" in "N/m",
         /// Whether the state is admissible.
         admissible: Admission<N>,
+        /// With two works of adhesion, the edge that is in equilibrium; missing where it is pinned.
+        edge: Option<Edge>,
     }
 }
 
@@ -69,6 +73,9 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
+        if certified.scene.has_two_works() {
+            return Ok(None);
+        }
         let items = rigorous::described(certified, self.states, |proved, state, record| {
             of_proved(certified, proved, state, record)
         })?;
@@ -77,12 +84,26 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        let items = certified.estimated_at(self.states, &|states, values| energies(states, values))?;
+        let items = if certified.scene.has_two_works() {
+            with_edges(certified, |edges| edges::agreed(edges, |edges| edges::first(edges, described)))?
+        } else {
+            certified.estimated_at(self.states, &|states, values| energies(states, values))?
+        };
         Ok(Output::Energy(List::new(Promise::Estimated, items)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
-        Ok(Output::Energy(search::estimates(energies(&search.states()?, self.states)?)))
+        let items = if search.scene.has_two_works() {
+            edges::with_both(search, |edges, _| edges::first(edges, described))?
+        } else {
+            energies(&search.states()?, self.states)?
+        };
+        Ok(Output::Energy(search::estimates(items)))
+    }
+
+    fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
+        let [Output::Energy(advancing), Output::Energy(receding)] = outputs else { return None };
+        Some(Output::Energy(advancing.with(receding)))
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {
@@ -98,15 +119,22 @@ fn energies<R: SceneReal>(
     states: &States<'_, R>,
     values: &[Literal],
 ) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
-    states.described(values, |state| {
-        let fields = Fields::of(states.model.contact(), &state)?;
-        let energy = Energy::new(states.model.contact())?;
-        let potential = energy.potential(&state.contact_radius, &state.indentation);
-        let admissible = Admission::of(states.verdict(&state));
-        let energy = Value::from_result(potential)?;
-        let stiffness = Value::from_result(fields.stiffness())?;
-        Ok(EnergyState { state: states.model.plain(state), energy, stiffness, admissible }.convert(Estimate::exact))
-    })
+    states.described(values, |state| described(states, Held::on_edge(state, states.scene.edge)))
+}
+
+/// Energy and stiffness of one state.
+///
+/// # Errors
+/// Errors that concern more than one value.
+fn described<R: SceneReal>(states: &States<'_, R>, held: Held<R>) -> Result<EnergyState<Estimate<R>>> {
+    let fields = held.fields(states.model.contact())?;
+    let Held { state, edge, .. } = held;
+    let energy = Energy::new(states.model.contact().at(Edge::Advancing))?;
+    let potential = energy.potential(&state.contact_radius, &state.indentation);
+    let admissible = Admission::of(states.verdict(&state));
+    let energy = Value::from_result(potential)?;
+    let stiffness = Value::from_result(fields.stiffness())?;
+    Ok(EnergyState { state: states.model.plain(state), energy, stiffness, admissible, edge }.convert(Estimate::exact))
 }
 
 /// Π and dF/dd of a state that is proved.
@@ -118,7 +146,8 @@ fn of_proved(
     record: PlainState<Enclosure>,
 ) -> Result<EnergyState<Enclosure>> {
     let energy = EnclosedEnergy::new(&proved.contact, &proved.profile)?;
-    let energy = energy.potential(&state.contact_radius, &state.indentation)?;
+    let energy = energy.potential(&state.contact_radius, &state.indentation)?
+        + held_by(certified, proved, &state.contact_radius);
     let stiffness = match (state.stability, &certified.scene.control) {
         (Stability::Neutral, Control::Indentation) => {
             let requirement = "off the fold of the indentation";
@@ -133,7 +162,17 @@ fn of_proved(
         energy: Value::Known(energy.into()),
         stiffness: Value::from_result(stiffness)?,
         admissible: Admission::of(verdict),
+        edge: certified.scene.edge,
     })
+}
+
+/// (w₂ − w₁)πa² at a receding edge of a contact that is proved, by which the energy stored exceeds Π with its own work of adhesion.
+#[cfg(feature = "mp")]
+fn held_by(certified: &Certified<'_>, proved: &Proved, radius: &Interval) -> Interval {
+    let works = certified.scene.works.as_ref().filter(|_| certified.scene.edge == Some(Edge::Receding));
+    let number = |literal: &Literal| proved.enclosed.value.number(literal);
+    let more = works.map_or_else(|| radius.lit(0), |works| number(&works[1]) - number(&works[0]));
+    radius.square() * radius.pi() * more
 }
 
 /// Π and dF/dd of a power law.
@@ -150,8 +189,18 @@ fn of_law(law: &PowerLaw<'_>, curve: &Curve, point: &Point, value: &Rational) ->
     };
     Ok(EnergyState {
         state: law.state(curve, point, Some(value)).into(),
-        energy: Value::Known(curve.energy(point).enclosure()),
+        energy: Value::Known(curve.energy(point).plus(&held(law, point, curve)).enclosure()),
         stiffness: Value::from_result(stiffness)?,
         admissible: Admission::Admissible,
+        edge: law.scene.edge,
     })
+}
+
+/// (w₂ − w₁)πa² at a receding edge, by which the energy stored exceeds Π with its own work of adhesion.
+#[cfg(feature = "mp")]
+fn held(law: &PowerLaw<'_>, point: &Point, curve: &Curve) -> Scaled {
+    let works = law.scene.works.as_ref().filter(|_| law.scene.edge == Some(Edge::Receding));
+    let more = works.map_or_else(Rational::new, |works| law.number(&works[1]) - law.number(&works[0]));
+    let radius = point.radius().interval();
+    Scaled::from(radius.square() * radius.pi() * Interval::from_rational(curve.precision(), &more))
 }

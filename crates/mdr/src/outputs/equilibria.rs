@@ -80,10 +80,6 @@ impl<'w> Request<'w> for Room<'w> {
         self.at
     }
 
-    fn has_edges(&self) -> bool {
-        true
-    }
-
     fn missing(&self) -> Option<&'static str> {
         self.at.is_empty().then_some("values: [output.equilibria] at = [\"…\"]")
     }
@@ -99,10 +95,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
                 AtValue { items, ..at }
             }
         };
-        let receding = receding.map(of(Edge::Receding));
-        let (mut all, items) = (advancing.map(of(Edge::Advancing)), receding.items);
-        all.items = std::mem::take(&mut all.items).into_iter().zip(items).map(|(one, other)| one.and(other)).collect();
-        Some(Output::Equilibria(all.and(List { items: Vec::new(), ..receding })))
+        Some(Output::Equilibria(advancing.map(of(Edge::Advancing)).with(receding.map(of(Edge::Receding)))))
     }
 
     #[cfg(feature = "mp")]

@@ -1,7 +1,7 @@
 //! Quantities along the surface of states: what the outputs `pressure`, `gap` and `displacement` have in common.
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Equilibrium, Result};
+use mdr_core::contact::{Edge, Equilibrium, Result};
 #[cfg(feature = "mp")]
 use mdr_core::contact::{Error, Quantity};
 use mdr_core::named;
@@ -9,6 +9,9 @@ use mdr_core::number::Literal;
 use mdr_numeric::fields::Fields;
 
 use super::Output;
+use super::path::edges::{self, Held};
+#[cfg(feature = "mp")]
+use super::path::with_edges;
 use super::room::{Open, Request, Room};
 use crate::answer::record::{Numbers, Part, Row};
 use crate::answer::{Admission, AtValue, Cell, Column, List, Number, PlainState, Value};
@@ -67,17 +70,19 @@ pub struct FieldState<N = Number> {
     pub samples: Vec<FieldSample<N>>,
     /// Whether the state is admissible.
     pub admissible: Admission<N>,
+    /// With two works of adhesion, the edge that is in equilibrium; missing where it is pinned.
+    pub edge: Option<Edge>,
 }
 
 impl<N> Numbers<N> for FieldState<N> {
     type With<M> = FieldState<M>;
 
     fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> FieldState<M> {
-        let FieldState { state, field, samples, admissible } = self;
+        let FieldState { state, field, samples, admissible, edge } = self;
         let state = state.map_part(f);
         let samples = samples.into_iter().map(|FieldSample { r, value }| FieldSample { r: f(r), value: f(value) });
         let samples = samples.collect();
-        FieldState { state, field, samples, admissible: admissible.map_part(f) }
+        FieldState { state, field, samples, admissible: admissible.map_part(f), edge }
     }
 
     fn rows(&self) -> Vec<Row<'_, N>> {
@@ -86,7 +91,7 @@ impl<N> Numbers<N> for FieldState<N> {
         let samples = samples.map(|sample| Row::new().with("r", &sample.r).with(name, &sample.value)).collect();
         let mut row = Row::new().with("", &self.state);
         row.cells.push((name, Cell::Rows(samples)));
-        vec![row.with("", &self.admissible)]
+        vec![row.with("", &self.admissible).with("edge", &self.edge)]
     }
 
     fn columns() -> Vec<Column> {
@@ -154,6 +159,9 @@ impl<'w, F: FieldRoom<'w>> Request<'w> for F {
 impl<'w, F: FieldRoom<'w>> Room<'w> for F {
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
+        if certified.scene.has_two_works() {
+            return Ok(None);
+        }
         let [states, at] = self.question();
         let items = rigorous::described(certified, states, |proved, state, record| {
             let fields = EnclosedFields::new(&proved.contact, &proved.profile, state)?;
@@ -163,6 +171,7 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
                 admissible: F::proved_admission(verdict, &fields)?,
                 state: record,
                 field: F::FIELD,
+                edge: certified.scene.edge,
             })
         })?;
         Ok(items.map(|items| F::OUTPUT(List::new(Promise::Certified, items))))
@@ -171,13 +180,33 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
     #[cfg(feature = "mp")]
     fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
         let [states, at] = self.question();
-        let items = certified.estimated_at(states, &|states, values| described::<_, F>(states, values, at))?;
+        let items = if certified.scene.has_two_works() {
+            with_edges(certified, |edges| {
+                edges::agreed(edges, |edges| edges::first(edges, |states, held| of_state::<_, F>(states, held, at)))
+            })?
+        } else {
+            certified.estimated_at(states, &|states, values| described::<_, F>(states, values, at))?
+        };
         Ok(F::OUTPUT(List::new(Promise::Estimated, items)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let [states, at] = self.question();
-        Ok(F::OUTPUT(search::estimates(described::<_, F>(&search.states()?, states, at)?)))
+        let items = if search.scene.has_two_works() {
+            edges::with_both(search, |edges, _| edges::first(edges, |states, held| of_state::<_, F>(states, held, at)))?
+        } else {
+            described::<_, F>(&search.states()?, states, at)?
+        };
+        Ok(F::OUTPUT(search::estimates(items)))
+    }
+
+    fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
+        let list = |output| match output {
+            Output::Pressure(list) | Output::Gap(list) | Output::Displacement(list) => Some(list),
+            _ => None,
+        };
+        let [advancing, receding] = outputs.map(list);
+        Some(F::OUTPUT(advancing?.with(receding?)))
     }
 
     /// Where the states that were searched in f64 are not all there are, the value says so.
@@ -210,14 +239,26 @@ fn described<'w, R: SceneReal, F: FieldRoom<'w>>(
     values: &[Literal],
     radii: &[Literal],
 ) -> Result<Vec<AtValue<FieldState<Estimate<R>>>>> {
-    states.described(values, |state| {
-        let fields = Fields::of(states.model.contact(), &state)?;
-        Ok(FieldState {
-            samples: samples::<R, F>(states, &fields, radii, &states.model.contact_radius(&state.contact_radius))?,
-            admissible: F::admission(states, &fields, &state)?,
-            state: states.model.plain(state).convert(Estimate::exact),
-            field: F::FIELD,
-        })
+    states.described(values, |state| of_state::<R, F>(states, Held::on_edge(state, states.scene.edge), radii))
+}
+
+/// The field of one state.
+///
+/// # Errors
+/// Errors that concern more than one value.
+fn of_state<'w, R: SceneReal, F: FieldRoom<'w>>(
+    states: &States<'_, R>,
+    held: Held<R>,
+    radii: &[Literal],
+) -> Result<FieldState<Estimate<R>>> {
+    let fields = held.fields(states.model.contact())?;
+    let Held { state, edge, .. } = held;
+    Ok(FieldState {
+        samples: samples::<R, F>(states, &fields, radii, &states.model.contact_radius(&state.contact_radius))?,
+        admissible: F::admission(states, &fields, &state)?,
+        state: states.model.plain(state).convert(Estimate::exact),
+        field: F::FIELD,
+        edge,
     })
 }
 

@@ -107,10 +107,6 @@ impl<'w> Request<'w> for Room<'w> {
     fn range(&self) -> Option<&'w [Literal; 2]> {
         self.range.as_ref()
     }
-
-    fn has_edges(&self) -> bool {
-        true
-    }
 }
 
 impl<'w> IsRoom<'w> for Room<'w> {

@@ -63,11 +63,6 @@ pub(crate) trait Request<'w> {
         None
     }
 
-    /// Whether it is answered for two works of adhesion.
-    fn has_edges(&self) -> bool {
-        false
-    }
-
     /// Whether a scene is refused in which its path cannot start.
     fn needs_start(&self) -> bool {
         false

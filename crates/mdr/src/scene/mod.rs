@@ -364,14 +364,6 @@ impl Scene {
                 );
                 return Err(self.places.of("material.work_of_adhesion").refuse(why));
             }
-            if self.has_two_works() && !want.kind().is_of_profile() && !want.request().has_edges() {
-                let (name, works) = (want.name(), "work_of_adhesion = { advancing = \"…\", receding = \"…\" }");
-                let why = "give the one work of adhesion of the edge that is meant, or want `path`, `force-curve`, `folds` or \
-                           `equilibria`";
-                let why =
-                    format!("`{name}` describes states at one work of adhesion, and the scene has {works}: {why}");
-                return Err(self.places.of("output.want").refuse(why));
-            }
             if let Some(missing) = want.missing(self.has_material, &self.path) {
                 return Err(self.places.of("output.want").refuse(format!("`{}` needs {missing}", want.name())));
             }

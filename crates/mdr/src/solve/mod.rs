@@ -223,12 +223,13 @@ impl<'s> Solver<'s> {
         Ok(Solver { scene, counts, route })
     }
 
-    /// The output; with two works of adhesion made of those at each, unless it follows the path between them.
+    /// The output; with two works of adhesion made of those at each, unless it follows the path between them or is of its start.
     ///
     /// # Errors
     /// Errors of the transform, of the quadratures and of the proofs; a decision that no precision makes.
     fn output(&self, want: &Want) -> contact::Result<Output> {
-        if !self.scene.has_two_works() || want.kind().is_of_profile() || want.kind().moves() {
+        let of_path = want.kind().moves() || want.kind().is_of_states() && want.values().is_empty();
+        if !self.scene.has_two_works() || want.kind().is_of_profile() || of_path {
             return self.output_of_one(want);
         }
         let of = |edge: Edge| {

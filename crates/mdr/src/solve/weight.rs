@@ -19,20 +19,26 @@ struct Costs {
     operation: u64,
     /// The share of one row in an integral over a table.
     row: u64,
+    /// Whether the rows far from the radius count together.
+    clustered: bool,
 }
 
 impl Costs {
     fn of(arithmetic: usize, bits: u64) -> Self {
         // Enclosures are twice as dear as numbers of the same bits, those with a slope three times.
         let times = match arithmetic {
-            0 => return Costs { form: 150, operation: 8, row: 20 },
+            0 => return Costs { form: 150, operation: 8, row: 20, clustered: true },
             1 => 1,
             2 => 2,
             _ => 3,
         };
         let size = bits * bits / 8000;
-        let costs = Costs { form: 1500 + 25 * bits + 10 * size, operation: 60 + bits / 5 + size, row: 1000 + 3 * bits };
-        Costs { form: times * costs.form, operation: times * costs.operation, row: times * costs.row }
+        Costs {
+            form: times * (1500 + 25 * bits + 10 * size),
+            operation: times * (60 + bits / 5 + size),
+            row: times * (1000 + 3 * bits),
+            clustered: bits <= 512,
+        }
     }
 
     fn of_profile(&self, profile: &Profile) -> u64 {
@@ -41,7 +47,12 @@ impl Costs {
             Profile::Shape(_) | Profile::Wave(_) => self.form,
             Profile::Sum(terms) => terms.iter().map(|term| self.of_profile(term)).sum(),
             Profile::Formula(formula) => self.operation * formula.expression.operations(),
-            Profile::Table(_) => self.form + self.row * profile.rows().unwrap_or(1) as u64,
+            Profile::Table(_) => self.form + self.row * self.rows(profile.rows().unwrap_or(1) as u64),
         }
+    }
+
+    /// The rows whose shares take as long as those of a table of `rows`: the near ones, and some for each level of clusters.
+    fn rows(&self, rows: u64) -> u64 {
+        if self.clustered { rows.min(24 + 5 * u64::from(rows.max(1).ilog2())) } else { rows }
     }
 }

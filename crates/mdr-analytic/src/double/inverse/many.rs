@@ -9,7 +9,7 @@ use crate::double::pair::Arithmetic;
 use crate::inverse::{Branch, Count, Held};
 
 /// Values in a row.
-const LEN: usize = 64;
+pub(super) const LEN: usize = 64;
 type Row = [f64; LEN];
 
 /// The equilibria with the smaller radius, or those with the larger. NaN if there is none or it is out of range.

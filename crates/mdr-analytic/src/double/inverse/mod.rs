@@ -2,6 +2,7 @@
 
 mod kernel;
 mod many;
+mod stable;
 
 use std::sync::OnceLock;
 

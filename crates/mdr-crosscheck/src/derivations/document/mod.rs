@@ -5,7 +5,7 @@ mod markdown;
 mod prose;
 mod text;
 
-use mdr_symbolic::derivations::{Basis, Erratum, Verdict};
+use mdr_symbolic::derivations::{Erratum, TheoremBasis, Verdict};
 use mdr_symbolic::{Decision, Domain};
 
 use super::{AGREEMENT, Judgement, MutantVerdict, Mutants, StepJudgement};
@@ -150,14 +150,14 @@ impl Judgement {
     }
 
     /// What the theorems of the entry rest on, where its verdict is that of a theorem.
-    fn basis(&self) -> Option<Basis> {
+    fn basis(&self) -> Option<TheoremBasis> {
         (self.holds() && self.entry.verdict() == Verdict::Theorem).then(|| self.entry.basis()).flatten()
     }
 
     /// The verdict, with the basis of a theorem that is not derived from the energy, briefly.
     pub fn verdict_and_basis(&self) -> String {
         match self.basis() {
-            Some(basis) if basis != Basis::Derived => format!("{} ({})", self.verdict(), basis.word()),
+            Some(basis) if basis != TheoremBasis::Derived => format!("{} ({})", self.verdict(), basis.word()),
             _ => self.verdict().to_owned(),
         }
     }

@@ -217,6 +217,17 @@ impl<'e, 'a, R: Real, B: EquilibriumBranches<R>> Walk<'e, 'a, R, B> {
     }
 }
 
+/// The state in which a path begins, with the edge that could move.
+pub(super) fn first<R: Real, B: EquilibriumBranches<R>>(
+    edges: &Edges<'_, R, B>,
+    start: &Start<R>,
+    value: &R,
+) -> Result<(Option<Edge>, ContactState<R>)> {
+    let (place, state) = starting(edges, start, value)?;
+    let edge = if let Place::Moving(edge, _) = place { Some(edge) } else { None };
+    Ok((edge, state))
+}
+
 /// The position and the state in which a path begins at its first way point.
 fn starting<R: Real, B: EquilibriumBranches<R>>(
     edges: &Edges<'_, R, B>,

@@ -13,10 +13,11 @@ mod follow;
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Edge, Equilibrium, Error, Result, Stability};
+use mdr_core::contact::{Control, Edge, Equilibrium, Error, Fold, Result, Stability};
 use mdr_core::number::Real;
 
 use super::position::{Position, certain};
+use super::{ContactState, Start};
 use crate::branch::{EquilibriumBranches, FirstContact};
 use crate::contact::Contact;
 
@@ -38,6 +39,35 @@ impl<'a, R: Real, B: EquilibriumBranches<R>> Edges<'a, R, B> {
         Edges { contact: contact.clone(), advancing, receding }
     }
 
+    /// The state in which a path begins, as in [`Path::follow_edges`](super::Path::follow_edges), with the edge that is in
+    /// equilibrium there: `None` if the edge is pinned between the two, or if the surfaces are apart.
+    ///
+    /// ```
+    /// use mdr_core::contact::{Control, Edge, Shape};
+    /// use mdr_numeric::medium::{Adhesion, Medium};
+    /// use mdr_numeric::path::{Edges, Start};
+    /// use mdr_numeric::{contact::Contact, equilibrium::SearchedBranches, transform::Quadrature};
+    /// let ball = Quadrature::of([Shape::Paraboloid { radius: 1.0 }])?;
+    /// let adhesion = Adhesion::hysteretic(0.01, 0.04)?;
+    /// let contact = Contact::new(ball, Medium::half_space(1.0)?, adhesion, Control::Indentation);
+    /// let advancing = SearchedBranches::new(contact.at(Edge::Advancing))?;
+    /// let receding = SearchedBranches::new(contact.at(Edge::Receding))?;
+    /// let edges = Edges::new(&contact, &advancing, &receding);
+    /// // The radius 0.2 is held from d = −0.184 to −0.072.
+    /// let (edge, state) = edges.first(&Start::Nearest(0.2), &-0.1)?;
+    /// assert!(edge.is_none() && state.contact().is_some_and(|state| state.contact_radius == 0.2));
+    /// let (edge, state) = edges.first(&Start::Nearest(0.2), &0.0)?;
+    /// assert!(edge == Some(Edge::Advancing) && state.contact().is_some_and(|state| state.contact_radius > 0.39));
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Errors of the transform; [`NoEquilibrium`](Error::NoEquilibrium), [`Domain`](Error::Domain) and
+    /// [`Undecided`](Error::Undecided) under the conditions stated at [`Path::follow`](super::Path::follow).
+    pub fn first(&self, start: &Start<R>, value: &R) -> Result<(Option<Edge>, ContactState<R>)> {
+        follow::first(self, start, value)
+    }
+
     /// The branches of an edge.
     fn branches(&self, edge: Edge) -> &'a B {
         match edge {
@@ -48,12 +78,23 @@ impl<'a, R: Real, B: EquilibriumBranches<R>> Edges<'a, R, B> {
 
     /// The value of the controlled quantity at which an edge with this radius begins to move, C₁(a) or C₂(a).
     fn limit(&self, edge: Edge, radius: &R) -> Result<R> {
+        if let Some(fold) = self.fold_at(edge, radius) {
+            return Ok(self.contact.control().controlled(&fold.indentation, &fold.force));
+        }
         self.known(self.contact.at(edge).controlled(radius))
+    }
+
+    /// The fold of an edge at exactly this radius, as at a kink, whose enclosure may reach over it.
+    fn fold_at(&self, edge: Edge, radius: &R) -> Option<&'a Fold<R>> {
+        self.branches(edge).folds().iter().find(|fold| self.receding.is_same(&fold.contact_radius, radius))
     }
 
     /// The state in which an edge with this radius begins to move.
     fn state(&self, edge: Edge, radius: &R) -> Result<Equilibrium<R>> {
-        let (indentation, force) = self.known(self.contact.at(edge).state(radius))?;
+        let (indentation, force) = match self.fold_at(edge, radius) {
+            Some(fold) => (fold.indentation.clone(), fold.force.clone()),
+            None => self.known(self.contact.at(edge).state(radius))?,
+        };
         Ok(Equilibrium { contact_radius: radius.clone(), indentation, force, stability: Stability::Stable })
     }
 
@@ -63,9 +104,26 @@ impl<'a, R: Real, B: EquilibriumBranches<R>> Edges<'a, R, B> {
     /// Errors of the transform; [`Error::OutOfRange`] if the force is not representable in this arithmetic;
     /// [`Error::Undecided`] if the enclosure of the radius reaches over a kink.
     pub fn pinned(&self, radius: &R, value: &R) -> Result<Equilibrium<R>> {
-        let (indentation, force) = self.known(self.contact.equilibrium_at(radius, value))?;
+        let fold = self.fold_at(Edge::Receding, radius).or_else(|| self.fold_at(Edge::Advancing, radius));
+        let (indentation, force) = match self.contact.equilibrium_at(radius, value) {
+            Err(Error::Domain { .. }) if let Some(fold) = fold => self.beside_fold(fold, value),
+            state => self.known(state)?,
+        };
         let state = Equilibrium { contact_radius: radius.clone(), indentation, force, stability: Stability::Stable };
         Ok(state.controlled(self.contact.control(), value.clone()))
+    }
+
+    /// The state at the radius of a fold and a value of the controlled quantity: the contact is a spring of the stiffness S(a).
+    fn beside_fold(&self, fold: &Fold<R>, value: &R) -> (R, R) {
+        let stiffness = self.contact.stiffness(&fold.contact_radius);
+        let control = self.contact.control();
+        let more = value.clone() - control.controlled(&fold.indentation, &fold.force);
+        let deeper = match control {
+            Control::Indentation => more,
+            Control::Force => more / &stiffness,
+            Control::Machine { stiffness: spring } => more / (stiffness.clone() / spring + stiffness.lit(1)),
+        };
+        (deeper.clone() + &fold.indentation, deeper * stiffness + &fold.force)
     }
 
     /// The enclosure of a radius may reach over a kink, where it is of no use.
@@ -83,8 +141,11 @@ impl<'a, R: Real, B: EquilibriumBranches<R>> Edges<'a, R, B> {
     /// The branch of an edge, or its fold, with this radius.
     fn locate(&self, edge: Edge, radius: &R) -> Result<Position> {
         let folds = self.branches(edge).folds();
-        if self.contact.vertical_edge().as_ref() == Some(radius) {
+        if self.contact.vertical_edge().is_some_and(|wall| self.receding.is_same(&wall, radius)) {
             return Ok(Position::Branch(folds.len()));
+        }
+        if let Some(index) = folds.iter().position(|fold| self.receding.is_same(&fold.contact_radius, radius)) {
+            return Ok(Position::Fold(index));
         }
         for (index, fold) in folds.iter().enumerate() {
             match radius.partial_cmp(&fold.contact_radius) {

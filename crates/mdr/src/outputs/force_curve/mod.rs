@@ -114,10 +114,6 @@ pub(super) struct Room<'w> {
 }
 
 impl<'w> Request<'w> for Room<'w> {
-    fn has_edges(&self) -> bool {
-        true
-    }
-
     fn rows(&self) -> usize {
         *self.points as usize
     }

@@ -1,20 +1,28 @@
 //! The path between two works of adhesion, and its energy.
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Edge, Result};
+use mdr_core::contact::{self, Edge, Error, Result};
 use mdr_core::number::Literal;
 use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::fields::Fields;
 use mdr_numeric::path::{EdgeEnergies, EdgeLoss, Edges, Path};
 
 use super::events::{self, balance, dissipated, plus, shown, unknown, work};
 use super::{Balance, PathEvent, PathNumbers};
 use crate::answer::record::Numbers;
-use crate::answer::{Optional, Value};
+use crate::answer::{AtValue, Optional, Value};
 use crate::scene::Scene;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::Search;
 use crate::solve::states::States;
+#[cfg(feature = "mp")]
+use crate::solve::{
+    certified::{Certified, Printed},
+    digits::agree,
+    refine::refined,
+};
 
 /// The path of a scene with two works of adhesion, between the branches of an advancing and of a receding edge.
 ///
@@ -53,6 +61,66 @@ pub(crate) fn with_both<T>(
     let scenes = [Edge::Advancing, Edge::Receding].map(|edge| search.scene.at(edge));
     let [advancing, receding] = [search.at(&scenes[0], Edge::Advancing), search.at(&scenes[1], Edge::Receding)];
     use_them([&advancing.states()?, &receding.states()?], [&advancing, &receding])
+}
+
+/// A state, and the edge that could move: with two works of adhesion it may be pinned.
+pub(crate) struct Held<R> {
+    pub(crate) state: contact::Equilibrium<R>,
+    pub(crate) edge: Option<Edge>,
+    pinned: bool,
+}
+
+impl<R: SceneReal> Held<R> {
+    /// A state in equilibrium at the work of adhesion of the scene, which may be that of one edge.
+    pub(crate) fn on_edge(state: contact::Equilibrium<R>, edge: Option<Edge>) -> Self {
+        Held { state, edge, pinned: false }
+    }
+
+    /// # Errors
+    /// Errors of the transform at the contact radius.
+    pub(crate) fn fields(&self, contact: Contact<R>) -> Result<Fields<R>> {
+        let contact = self.edge.map_or_else(|| contact.clone(), |edge| contact.at(edge));
+        if self.pinned { Fields::pinned(contact, &self.state) } else { Fields::of(contact, &self.state) }
+    }
+}
+
+/// The record of the state in which a path between two works of adhesion starts.
+///
+/// # Errors
+/// Errors of the transform, of the search and of `describe`.
+pub(crate) fn first<R: SceneReal, T>(
+    [advancing, receding]: [&States<'_, R>; 2],
+    describe: impl Fn(&States<'_, R>, Held<R>) -> Result<T>,
+) -> Result<Vec<AtValue<T>>> {
+    let model = receding.model;
+    let Some(value) = receding.scene.path.first() else { return Ok(Vec::new()) };
+    let edges = Edges::new(&model.contact(), &advancing.branches, &receding.branches);
+    let held = match edges.first(&model.start(&receding.scene.start)?, &model.number(value)) {
+        Ok((edge, state)) => state.contact().cloned().map(|state| Held { state, edge, pinned: edge.is_none() }),
+        Err(Error::NoEquilibrium { .. }) => None,
+        Err(error) => return Err(error),
+    };
+    Ok(vec![AtValue::new(value, held.into_iter().map(|held| describe(receding, held)).collect::<Result<_>>()?)])
+}
+
+/// What `compute` makes of the states of both edges, in digits on which two precisions agree.
+///
+/// # Errors
+/// Errors of the searches and of `compute`.
+#[cfg(feature = "mp")]
+pub(crate) fn agreed<T: Numbers<Estimate<rug::Float>> + Clone>(
+    [advancing, receding]: [&Certified<'_>; 2],
+    compute: impl Fn([&States<'_, rug::Float>; 2]) -> Result<T>,
+) -> Result<Printed<T>> {
+    let folds = [advancing.search()?.folds()?, receding.search()?.folds()?];
+    agree(receding.digits, |precision| {
+        let models: [Model<rug::Float>; 2] = [advancing.model(precision)?, receding.model(precision)?];
+        let states = |certified: &Certified<'_>, index: usize| {
+            let folds = refined(&models[index], folds[index])?;
+            Ok(States::new(receding.scene, &models[index], folds, certified.admissibility()?))
+        };
+        compute([&states(advancing, 0)?, &states(receding, 1)?])
+    })
 }
 
 /// The events of the path and the balance of its energy.

@@ -25,17 +25,14 @@ use crate::answer::record::{Numbers, Part, Row, record};
 use crate::answer::{Admission, Cell, Column, Completeness, List, Number, NumberStyle, Optional, Promise, Value};
 #[cfg(feature = "mp")]
 use crate::scene::{Arithmetic, Scene};
-#[cfg(feature = "mp")]
-use crate::solve::model::Model;
 use crate::solve::model::SceneReal;
 use crate::solve::search::{Search, doubles};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
-    digits::{agree, decide},
+    digits::decide,
     power_law::{self, PowerLaw},
-    refine::refined,
 };
 
 pub(crate) use events::{beyond_noise, changes, follow, is_arrival, quantities};
@@ -252,10 +249,6 @@ impl<'w> Request<'w> for Room {
     fn needs_start(&self) -> bool {
         true
     }
-
-    fn has_edges(&self) -> bool {
-        true
-    }
 }
 
 impl<'w> IsRoom<'w> for Room {
@@ -390,7 +383,10 @@ pub(crate) fn followed(search: &Search<'_>) -> Result<mdr_numeric::path::Path<f6
 
 /// What `use_them` makes of the contact at the work of adhesion of each edge.
 #[cfg(feature = "mp")]
-fn with_edges<T>(certified: &Certified<'_>, use_them: impl FnOnce([&Certified<'_>; 2]) -> Result<T>) -> Result<T> {
+pub(crate) fn with_edges<T>(
+    certified: &Certified<'_>,
+    use_them: impl FnOnce([&Certified<'_>; 2]) -> Result<T>,
+) -> Result<T> {
     let [advancing, receding] = [Edge::Advancing, Edge::Receding].map(|edge| certified.scene.at(edge));
     let of = |scene| Certified::new(scene, certified.digits, certified.counts);
     use_them([&of(&advancing), &of(&receding)])
@@ -418,17 +414,9 @@ fn proved_between_edges(certified: &Certified<'_>) -> Result<Option<Output>> {
 
 #[cfg(feature = "mp")]
 fn estimated_between_edges(certified: &Certified<'_>) -> Result<Output> {
-    with_edges(certified, |[advancing, receding]| {
-        let folds = [advancing.search()?.folds()?, receding.search()?.folds()?];
-        let path = agree(certified.digits, |precision| {
-            let models: [Model<rug::Float>; 2] = [advancing.model(precision)?, receding.model(precision)?];
-            let states = |certified: &Certified<'_>, index: usize| {
-                let folds = refined(&models[index], folds[index])?;
-                Ok(States::new(receding.scene, &models[index], folds, certified.admissibility()?))
-            };
-            edges::numbers([&states(advancing, 0)?, &states(receding, 1)?])
-        })?;
-        Ok(LoadingPath::new(Promise::Estimated, path, receding.searched()?).into())
+    with_edges(certified, |edges| {
+        let path = edges::agreed(edges, edges::numbers)?;
+        Ok(LoadingPath::new(Promise::Estimated, path, edges[1].searched()?).into())
     })
 }
 
