@@ -57,7 +57,7 @@ fn a_file_an_output() {
     let [curve_file, summary, folds_file] = lines[..] else { panic!("{list}") };
     assert_eq!((curve_file, folds_file), ("force-curve.csv", "folds.csv"));
     assert!(summary.starts_with("Summary: pull-off force -4.705231695326158 nN, "), "{summary}");
-    let mut folds = csv::Reader::from_path(folder.join("folds.csv")).unwrap();
+    let mut folds = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(folder.join("folds.csv")).unwrap();
     let header: Vec<_> = folds.headers().unwrap().iter().map(str::to_owned).collect();
     let inputs =
         ["profile", "radius (nm)", "e_star (Pa)", "work_of_adhesion (J/m²)", "control", "machine_stiffness (N/m)"];
@@ -86,7 +86,7 @@ fn magnitudes_are_in_the_unit_of_their_column() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("out-of-range");
     let flags = format!("solve - --out {} --units nm", folder.display());
     mdr(&flags).stdin(scene).assert().success();
-    let mut folds = csv::Reader::from_path(folder.join("folds.csv")).unwrap();
+    let mut folds = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(folder.join("folds.csv")).unwrap();
     let column = folds.headers().unwrap().iter().position(|title| title == "log10_contact_radius (nm)").unwrap();
     let found: f64 = folds.records().next().unwrap().unwrap()[column].parse().unwrap();
     assert!((found - nanometres).abs() < 1e-5, "{found} {nanometres}");

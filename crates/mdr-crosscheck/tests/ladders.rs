@@ -91,6 +91,7 @@ const EXEMPT: &[(&str, &str)] = &[
     ("double::Inverse::new", "a validating constructor"),
     ("double::Inverse::equilibria", "as double::equilibria"),
     ("double::Inverse::branches", "as double::equilibria"),
+    ("double::Inverse::stable", "as double::equilibria"),
     ("double::Inverse::with_instructions", "a choice, not a number"),
 ];
 

@@ -32,9 +32,10 @@ const CELLS: i64 = 6;
 /// let profile = Continuation::new(vec![formula.enclosed(&none, &formula.breaks(&none)?, precision)?]);
 /// let profile = profile.expect("one kink");
 /// // g = x² on [0.5, 0.6]
-/// let x = Interval::from_f64(precision, 0.5).hull(&Interval::from_f64(precision, 0.6));
+/// let number = |x: f64| Interval::point(rug::Float::with_val(100, x));
+/// let x = number(0.5).hull(&number(0.6));
 /// let g = profile.range(&x).expect("defined");
-/// assert!(g.contains(Interval::from_f64(precision, 0.25).lower()) && g.contains(Interval::from_f64(precision, 0.36).upper()));
+/// assert!(g.contains(number(0.25).lower()) && g.contains(number(0.36).upper()));
 /// # Ok::<(), mdr_core::contact::ExpressionError>(())
 /// ```
 pub struct Continuation {
