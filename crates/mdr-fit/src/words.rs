@@ -52,7 +52,9 @@ impl Fit {
         for estimate in &self.parameters {
             let own: Vec<_> = self.budget.iter().filter(|entry| entry.name == estimate.name).collect();
             let Some(first) = own.first() else { continue };
-            let name = if first.unit == "1" { format!("ln {}", estimate.name) } else { estimate.name.clone() };
+            // A slope of the baseline may have the unit one, and is no logarithm.
+            let is_logarithm = first.unit == "1" && estimate.name != "baseline_slope";
+            let name = if is_logarithm { format!("ln {}", estimate.name) } else { estimate.name.clone() };
             let slope = |of: &&str| {
                 let entry = own.iter().find(|entry| entry.of == **of);
                 entry.map_or_else(String::new, |entry| {

@@ -206,12 +206,11 @@ fn fault(record: &Record, tip: &Tip, free: &[&str]) -> Option<String> {
         ));
     }
     let truth = [("e_star", E_STAR), ("advancing", record.works[0]), ("receding", record.works[1])];
-    let off = truth.into_iter().filter(|(name, _)| free.contains(name)).find_map(|(name, made)| {
+    truth.into_iter().filter(|(name, _)| free.contains(name)).find_map(|(name, made)| {
         let [value, stderr] = estimate(&fit, name);
         (!(((value - made) / stderr).abs() < 5.0))
             .then(|| format!("{what}: {name} = {value} ± {stderr} for {made}; {:?}", fit.warnings))
-    });
-    off
+    })
 }
 
 #[test]

@@ -386,6 +386,7 @@ fn intervals_of_four_numbers_cover_as_often_as_they_say() {
 /// The coverage of docs/fit.md: five tips, x exact or with an error, σ stated or not; `MDR_COVERAGE` curves of each tip, 200 by default.
 #[test]
 #[ignore = "minutes; prints the table of docs/fit.md"]
+#[allow(clippy::print_stdout, reason = "the table")]
 fn coverage_of_five_tips() {
     let each: u64 = std::env::var("MDR_COVERAGE").ok().and_then(|count| count.parse().ok()).unwrap_or(200);
     let numbers = [("e_star", E_STAR), ("work_of_adhesion", USUAL.work)];
