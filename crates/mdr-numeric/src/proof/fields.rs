@@ -42,7 +42,7 @@ const NEAR_TIP: i64 = 1 << 20;
 ///     contact_radius: one.clone(), indentation: one.clone(), force: one.clone(), stability: Stability::Stable,
 /// };
 /// let pressure = EnclosedFields::new(&contact, &profile, &state)?.pressure(&one.lit(0))?;
-/// assert!((pressure.approx() - std::f64::consts::FRAC_2_PI).abs() < 1e-15 && pressure.accuracy_bits() > 80);
+/// assert!((pressure.approx() - std::f64::consts::FRAC_2_PI).abs() < 1e-15 && pressure.accuracy_bits() > 80, "{pressure:?}");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct EnclosedFields<'a> {

@@ -144,3 +144,18 @@ fn the_tree_changes_no_digit() {
         }
     }
 }
+
+/// Rows of one height, of which all moments are zero: the slope of an absolute value at zero is bounded, and so is that of g.
+#[test]
+fn a_level_stretch_has_a_bounded_slope() {
+    let precision = Precision::new(64);
+    let height = |i: i64| if i == 0 { 0 } else { 3 + (i - 6).max(0) };
+    let number = |n: i64| Dual::constant(Interval::from_int(precision, n));
+    let profile = MeasuredProfile::new((0..=45).map(|i| (number(i), number(height(i)))).collect()).unwrap();
+    let tree = Tree::new(&profile.pieces, terms(64, BITS_PER_TERM));
+    let x = Dual::variable(Interval::from_int(precision, 30));
+    for part in PARTS {
+        let (share, after) = tree.share(part, &x, 64, 0, 30).unwrap();
+        assert!(after >= 8 && share.value.is_finite() && share.slope.is_finite(), "{part:?}");
+    }
+}
