@@ -25,7 +25,7 @@ fn image(c: f64, middle: f64, reach: f64) -> Option<Vec<Interval>> {
     let zone = middle.clone().inflate(&number(reach));
     let Normal { gradient, hessian, .. } = normal(&middle, c);
     let inverse = inverse(midpoints(&hessian)).unwrap();
-    krawczyk([&[middle], &gradient, &[zone.clone()]], &inverse, &normal(&zone, c))
+    krawczyk([&[middle], &gradient, std::slice::from_ref(&zone)], &inverse, &normal(&zone, c))
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn the_operator_takes_second_derivatives_of_residuals() {
     let over = normal(&zone, 3.9);
     let inverse = vec![vec![number(0.25)]];
     let none = [number(0.0)];
-    assert!(krawczyk([&[middle.clone()], &none, &[zone.clone()]], &inverse, &over).is_none());
+    assert!(krawczyk([std::slice::from_ref(&middle), &none, std::slice::from_ref(&zone)], &inverse, &over).is_none());
     // As if JᵀJ were H.
     let gauss_newton = Normal { hessian: over.information.clone(), ..over };
     assert!(krawczyk([&[middle], &none, &[zone]], &inverse, &gauss_newton).is_some());

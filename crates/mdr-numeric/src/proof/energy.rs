@@ -163,7 +163,7 @@ pub enum Stored {
 }
 
 /// The equilibrium, if the surfaces are in contact on more than a point.
-fn extended<'s>(state: &'s ContactState<Interval>) -> Option<&'s mdr_core::contact::Equilibrium<Interval>> {
+fn extended(state: &ContactState<Interval>) -> Option<&mdr_core::contact::Equilibrium<Interval>> {
     state.contact().filter(|rest| !rest.contact_radius.upper().is_zero())
 }
 

@@ -113,8 +113,8 @@ impl<'a> EnclosedFields<'a> {
         let inside = breaks.partition_point(|b| b.upper() < a.lower());
         let angle = |b: &Interval| Special::asin(&(b.rounded(a.ctx()) / a));
         let mut from = a.lit(0);
-        for beyond in 0..=inside {
-            let to = if beyond < inside { angle(&breaks[beyond]) } else { a.pi().over(2) };
+        let ends = breaks[..inside].iter().map(angle).chain([a.pi().over(2)]);
+        for (beyond, to) in ends.enumerate() {
             let kernel = Kernel { fields: self, r, beyond, from: from.clone(), width: to.clone() - &from };
             integral += &over_unit_interval(&kernel, a.precision()).map_err(|error| located(error, r))?;
             from = to;

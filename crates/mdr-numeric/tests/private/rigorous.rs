@@ -45,7 +45,7 @@ fn integrals(bits: u32) -> [Interval; 2] {
     };
     let material = Material::new(one.clone(), one.clone()).expect("positive");
     let contact = Contact::half_space(&Arc::new(transform.clone()), &material, &Control::Indentation);
-    let whole = EnclosedEnergy::new(&contact, &profile).expect("a half-space").squares(&[radius.clone()]);
+    let whole = EnclosedEnergy::new(&contact, &profile).expect("a half-space").squares(std::slice::from_ref(&radius));
     let whole = whole.expect("an integral").swap_remove(0);
     [whole, over_unit_interval(&Dropped(square()), bits).expect("an integral")]
 }

@@ -1,5 +1,7 @@
 //! Tests of the private items of `mdr_numeric::table::series`.
 
+#![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
+
 use mdr_core::contact::Transform;
 use mdr_core::number::{Dual, Interval, Precision, Special};
 use rug::Float;

@@ -114,6 +114,9 @@ impl Proved {
     }
 }
 
+/// What is printed of records at values.
+type Printed<T> = Vec<AtValue<<T as Numbers<Enclosure>>::With<Number>>>;
+
 /// The record of every equilibrium at the values, of the state in which the path starts without values; `None` if not all of it
 /// can be proved.
 ///
@@ -123,7 +126,7 @@ pub(crate) fn described<T: Numbers<Enclosure>>(
     certified: &Certified<'_>,
     values: &[Literal],
     describe: impl Fn(&Proved, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
-) -> Result<Option<Vec<AtValue<T::With<Number>>>>>
+) -> Result<Option<Printed<T>>>
 where
     Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
 {

@@ -298,8 +298,8 @@ fn digits_do_not_depend_on_units() {
 fn displacements_close_the_gap() {
     let (line, cylinder) = ("kind = \"plane\"\nreference = 10", "kind = \"paraboloid\"\nradius = 1");
     let wave = |r: f64| 1.0 - (2.0 * std::f64::consts::PI * r).cos();
-    let cases: [(&str, &str, f64, &dyn Fn(f64) -> f64); 2] =
-        [(line, cylinder, 0.9, &|r| r * r / 2.0), (PERIODIC, WAVE, 0.498, &wave)];
+    type Case<'a> = (&'a str, &'a str, f64, &'a dyn Fn(f64) -> f64);
+    let cases: [Case<'_>; 2] = [(line, cylinder, 0.9, &|r| r * r / 2.0), (PERIODIC, WAVE, 0.498, &wave)];
     for (medium, profile, r, height) in cases {
         let want = format!(
             "want = [\"gap\", \"displacement\"]\nequilibria = {{ at = [\"0.1\"] }}\ngap = {{ at = [\"{r}\"] }}\n\

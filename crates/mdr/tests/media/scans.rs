@@ -4,6 +4,9 @@ use mdr::answer::Fold;
 
 use crate::{GRIPS, LOAD, PERIODIC, scene, solve};
 
+/// d and F along the contact radius.
+type Curve = Box<dyn Fn(f64) -> [f64; 2]>;
+
 /// Random numbers within (0, 1).
 fn random() -> impl FnMut() -> f64 {
     let mut seed = 0x2545_f491_4f6c_dd1d_u64;
@@ -16,10 +19,7 @@ fn random() -> impl FnMut() -> f64 {
 }
 
 /// A random contact of one of the media: its tables, and closed forms of (d, F) at a contact radius.
-fn random_contact(
-    kind: &str,
-    uniform: &mut dyn FnMut() -> f64,
-) -> Option<(String, String, Box<dyn Fn(f64) -> [f64; 2]>)> {
+fn random_contact(kind: &str, uniform: &mut dyn FnMut() -> f64) -> Option<(String, String, Curve)> {
     let (pi, w) = (std::f64::consts::PI, 0.01);
     let n = 0.3 + 3.0 * uniform();
     let power = format!("kind = \"power\"\nn = \"{n}\"\nc = 1");

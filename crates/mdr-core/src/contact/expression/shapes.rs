@@ -79,7 +79,7 @@ fn with_slope<'a>(
     };
     given.extend(flank.map(|flank| ("t", flank.parameter().1)));
     // Every text above is a formula: a test reads them all.
-    let formula = text.parse().unwrap_or_else(|_| Expression { root: super::Node::Variable });
+    let formula = text.parse().unwrap_or(Expression { root: super::Node::Variable });
     (formula, given.into_iter().map(|(name, value)| (name.to_owned(), value.clone())).collect())
 }
 
