@@ -151,7 +151,7 @@ class Fit:
         Columns: ``x``, ``y``, ``leg``, ``label``, ``fitted``, ``residual``, ``contact_radius``, ``pinned``.
         """
         try:
-            import pandas as pd
+            import pandas as pd  # type: ignore[import-not-found, import-untyped, unused-ignore]
         except ImportError as error:
             raise ImportError("to_dataframe needs pandas: pip install pandas") from error
         return pd.DataFrame(self._columns())
