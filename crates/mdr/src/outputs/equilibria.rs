@@ -16,11 +16,10 @@ use mdr_numeric::{branch::EquilibriumBranches, proof::ProvedBranches};
 use super::key::Key;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject};
 use super::{Output, OutputKind, Want};
-use crate::answer::List;
 use crate::answer::record::{Numbers, record};
 use crate::answer::{Admission, AtValue, PlainState, Value};
 #[cfg(feature = "mp")]
-use crate::answer::{Completeness, Promise};
+use crate::answer::{Completeness, List, Promise};
 use crate::scene::Scene;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};

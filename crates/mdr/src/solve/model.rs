@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use mdr_core::contact::{self, Control, CountingTransform, Edge, Error, Quantity, Result, Status, Transform};
+use mdr_core::contact::{self, Control, CountingTransform, Edge, Result, Status, Transform};
+#[cfg(feature = "mp")]
+use mdr_core::contact::{Error, Quantity};
 use mdr_core::number::Literal;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::path;
