@@ -174,9 +174,10 @@ impl<R: Real> Real for Dual<R> {
         } else if self.value >= zero {
             self.clone()
         } else {
-            // The interval contains the kink, so the sign of the slope is any in [-1, 1].
-            let sign = zero.inflate(&self.value.lit(1));
-            self.chain(self.value.abs(), sign)
+            // The interval contains the kink, so the sign of the slope is unknown.
+            let value = self.value.abs();
+            let sign = self.value.clone() / &value;
+            self.chain(value, sign)
         }
     }
     fn square(&self) -> Self {

@@ -32,7 +32,7 @@ struct Cluster<R> {
     width: R,
     /// r₁² − r₀².
     span: R,
-    /// aₖ ∫ ρ wᵏ dr for the density ρ = f', and a bound of ∫ |ρ| dr.
+    /// aₖ ∫ ρ wᵏ dr for the density ρ = f', and all between −∫ |ρ| dr and ∫ |ρ| dr.
     slope: (Vec<R>, R),
     /// For the density (r f')'.
     bend: (Vec<R>, R),
@@ -160,7 +160,8 @@ fn leaf<R: Real>(pieces: &[Piece<R>], terms: usize) -> Cluster<R> {
         let to = (piece.start.clone() - &start + &piece.width) / &width;
         let [slopes, bends] = [&piece.slope, &piece.bend].map(|density| ends(density, &piece.width));
         for (total, values) in [(&mut slope.1, &slopes), (&mut bend.1, &bends)] {
-            values.iter().for_each(|value| *total += &value.abs().over(3));
+            // On both sides of zero, with slopes on both sides as well, also where the value is zero.
+            values.iter().for_each(|value| *total += &start.lit(0).inflate_with_slope(value).over(3));
         }
         let targets = slope.0.iter_mut().zip(&mut bend.0);
         for ((k, products), (slope, bend)) in (0..).zip(symmetric(from, to)).zip(targets) {

@@ -64,7 +64,8 @@ fn a_cluster_encloses_its_pieces() {
                 let relative = f64::exp2(-f64::from(bits))
                     + 16.0 * half.approx() / x.approx()
                     + 16.0 * terms(100, BITS_PER_TERM) as f64 * f64::exp2(-100.0);
-                let allowed = 16.0 * given.to_f64() + (variation.clone() * scale).approx() * relative;
+                let most = Interval::point(variation.upper().clone());
+                let allowed = 16.0 * given.to_f64() + (most * scale).approx() * relative;
                 assert!(
                     share.radius().to_f64() < allowed,
                     "{part:?} {first} {size} {tenths} {bits}: {share} {allowed:e}"
