@@ -202,6 +202,20 @@ impl<R: Real> Contact<R> {
         self.medium.stiffness(a)
     }
 
+    /// dF/dd along the equilibria of an edge that moves, in N/m; `None` at a fold of the indentation. Without adhesion the edge moves
+    /// where g(a) = d, and F = ∫S'(d − g) grows by S.
+    ///
+    /// # Errors
+    /// Errors of the transform at a; see [`Transform::slope`].
+    pub(crate) fn stiffness_along(&self, a: &R) -> Result<Option<R>> {
+        let stiffness = self.stiffness(a);
+        if self.adhesion.vanishes() {
+            return Ok(Some(stiffness));
+        }
+        let slope = self.transform.slope(a)?;
+        Ok(self.medium.stiffening(self.adhesion.work(), slope, a).map(|ratio| ratio * stiffness))
+    }
+
     /// The controlled quantity along the curve.
     ///
     /// # Errors

@@ -234,20 +234,14 @@ impl<R: Special> Fields<R> {
     /// # Errors
     /// [`Error::Domain`] at the fold itself; errors of the transform at the contact radius.
     pub fn stiffness(&self) -> Result<R> {
-        let stiffness = self.curve.stiffness(&self.contact_radius);
-        // Without adhesion at the edge it moves where g(a) = d: F = ∫S'(d − g) grows by S there as well.
-        if self.stays || self.curve.adhesion().vanishes() {
-            return Ok(stiffness);
+        if self.stays {
+            return Ok(self.curve.stiffness(&self.contact_radius));
         }
-        let slope = self.curve.transform().slope(&self.contact_radius)?;
-        let work = self.curve.adhesion().work();
-        match self.curve.medium().stiffening(work, slope, &self.contact_radius) {
-            Some(ratio) => Ok(ratio * stiffness),
-            None => {
-                let requirement = "off the fold of the indentation";
-                Err(Error::domain(Quantity::ContactRadius, &self.contact_radius, requirement))
-            }
-        }
+        let at_fold = || {
+            let requirement = "off the fold of the indentation";
+            Error::domain(Quantity::ContactRadius, &self.contact_radius, requirement)
+        };
+        self.curve.stiffness_along(&self.contact_radius)?.ok_or_else(at_fold)
     }
 
     /// The contact radius, for a radius outside it.

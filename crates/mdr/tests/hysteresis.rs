@@ -365,3 +365,22 @@ fn state_that_is_pinned() {
         assert_eq!(answer.energy().unwrap().items[0].items[0].edge.unwrap().name(), edge);
     }
 }
+
+/// Without adhesion on the way in the stiffness is S = 2E*a, proved as well as in doubles; the receding edge has that of its own work.
+#[test]
+fn stiffness_of_both_edges() {
+    let output = "want = [\"energy\"]\ndigits = 12\nequilibria = { at = [\"0.05\"] }";
+    for ball in [BALL, "kind = \"sphere\"\nradius = 1", "kind = \"expression\"\nformula = \"r^2/2 + r^4\""] {
+        let certified = scene(ball, ["0", "0.04"], "kind = \"indentation\"", output).unwrap();
+        let double = certified.clone().arithmetic(Arithmetic::Double);
+        let [certified, double] = [certified, double].map(|scene| scene.solve().unwrap());
+        let [certified, double] = [&certified, &double].map(|answer| &answer.energy().unwrap().items[0].items);
+        let number = |value: &mdr::answer::Value| value.to_f64().unwrap();
+        let [advancing, receding] = &certified[..] else { panic!("{ball}: {certified:?}") };
+        assert!((number(&advancing.stiffness) / (2.0 * number(&advancing.state.contact_radius)) - 1.0).abs() < 1e-11);
+        assert!(number(&receding.stiffness) > 0.0);
+        for (proved, found) in certified.iter().zip(double) {
+            assert!((number(&proved.stiffness) / number(&found.stiffness) - 1.0).abs() < 1e-11, "{ball}: {proved:?}");
+        }
+    }
+}

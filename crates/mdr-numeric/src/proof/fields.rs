@@ -86,16 +86,12 @@ impl<'a> EnclosedFields<'a> {
     /// # Errors
     /// [`Error::Undecided`] where it is not certain that the state is no fold of the indentation; errors of the transform.
     pub fn stiffness(&self) -> Result<Interval> {
-        let stiffness = self.contact.stiffness(&self.a);
         if self.contact.vertical_edge().is_some_and(|wall| wall.overlaps(&self.a)) {
-            return Ok(stiffness);
+            return Ok(self.contact.stiffness(&self.a));
         }
-        let slope = self.contact.transform().slope(&self.a)?;
-        let work = self.contact.adhesion().scale();
-        let ratio = self.contact.medium().stiffening(work, slope, &self.a).filter(Real::is_finite);
         let open =
             || Error::undecided(Quantity::ContactRadius, &self.a, "whether the state is a fold of the indentation");
-        Ok(ratio.ok_or_else(open)? * stiffness)
+        self.contact.stiffness_along(&self.a)?.filter(Real::is_finite).ok_or_else(open)
     }
 
     /// The displacement u(r) at r > a, in m, positive into the half-space.
