@@ -119,6 +119,7 @@ const pad = {
     } catch (error) {
       return this.refuse(error.message);
     }
+    turnPage();
     // A table in metres needs units to be shown in, and so small radii are metres without saying so.
     const widest = Math.max(...table.points.map(([r]) => r));
     if (P.unit === 'none' && (table.metric || widest < 1e-3)) {
@@ -129,7 +130,6 @@ const pad = {
     const { radius, height } = system();
     const points = table.points.map(([r, f]) => [r / radius, f / height]);
     const use = (smooth) => {
-      turnPage();
       change({ shape: 'table', table: packTable(points), smooth });
       return this.refuse(trouble);
     };
