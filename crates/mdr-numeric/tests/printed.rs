@@ -92,13 +92,12 @@ fn the_slope_is_that_of_the_flank() {
 
 #[test]
 fn rust_and_python_print_the_formulas_of_the_table() {
-    let [rust, python] =
-        ["crates/mdr-core/src/contact/shape.rs", "crates/mdr-python/python/mdr/_profiles.py"].map(document);
-    for Row { kind, formula, .. } in rows() {
-        // In Rust above the name of the kind, in Python between the class and its kind.
-        let above = rust.split_once(&format!(" = \"{kind}\"")).expect("a shape").0;
-        let own = above.rsplit_once("        },\n").map_or(above, |(_, own)| own);
-        assert!(own.contains(&format!("`{formula}`")), "Shape of {kind} lacks `{formula}`");
+    let python = document("crates/mdr-python/python/mdr/_profiles.py");
+    for Row { kind, formula, letters } in rows() {
+        let shape = Shape::by_name(&kind).expect("a shape");
+        assert_eq!(shape.text(), formula, "f of {kind}");
+        assert!(letters.iter().map(|(_, letter)| letter).eq(shape.symbols()), "letters of {kind}: {letters:?}");
+        // In Python between the class and its kind.
         let above = python.split_once(&format!("] = \"{kind}\"")).expect("a class").0;
         let own = above.rsplit_once("class ").map_or(above, |(_, own)| own);
         assert!(own.contains(&format!("``{formula}``")), "the class of {kind} lacks ``{formula}``");

@@ -3,8 +3,14 @@
 use crate::number::Special;
 use crate::units::SiUnit;
 
-/// Declares the shapes: names, and parameters in their order, each a number `N` with its unit or a [`Flank`] of one.
+/// Declares the shapes: names, parameters in their order, each a number `N` with its unit or a [`Flank`] of one and with the symbol
+/// that stands for it in the formula, and that formula, in which a flank is its slope.
 macro_rules! shapes {
+    (@flank N $field:ident) => {{
+        let _ = $field;
+        None
+    }};
+    (@flank Flank $field:ident) => { Some($field) };
     (@blank N) => { () };
     (@blank Flank) => { Flank::Slope(()) };
     (@parameter N $field:ident) => { (stringify!($field), $field) };
@@ -17,13 +23,16 @@ macro_rules! shapes {
     (@map N $field:ident $f:ident) => { $f(stringify!($field), $field)? };
     (@map Flank $field:ident $f:ident) => { $field.try_map(&mut $f)? };
     ($(#[$meta:meta])* {$(
-        $(#[$doc:meta])* $shape:ident = $name:literal { $($(#[$field_doc:meta])* $field:ident: $kind:ident $(<$of:ident>)? $(in $unit:ident)?,)* },
+        $(#[$doc:meta])* $shape:ident = $name:literal {
+            $($(#[$field_doc:meta])* $field:ident: $kind:ident $(<$of:ident>)? as $symbol:literal $(in $unit:ident)?,)*
+        } is $formula:literal,
     )*}) => {
         $(#[$meta])*
         #[derive(Clone, Debug, PartialEq)]
         pub enum Shape<N> {$(
             $(#[$doc])*
-            $shape { $($(#[$field_doc])* $field: $kind$(<$of>)?,)* },
+            #[doc = concat!("\n\nf = `", $formula, "`.")]
+            $shape { $(#[doc = concat!($symbol, ": ")] $(#[$field_doc])* $field: $kind$(<$of>)?,)* },
         )*}
 
         /// Every shape without its parameters.
@@ -34,6 +43,35 @@ macro_rules! shapes {
             pub fn name(&self) -> &'static str {
                 match self {
                     $(Shape::$shape { .. } => $name,)*
+                }
+            }
+
+            /// The height f(r) as an [`Expression`](crate::contact::Expression) of the [symbols](Shape::symbols); t is the slope
+            /// of a cone, whichever way its steepness is given.
+            pub fn text(&self) -> &'static str {
+                match self {
+                    $(Shape::$shape { .. } => $formula,)*
+                }
+            }
+
+            /// The symbols that stand for the parameters in [`Shape::text`], in the order of [`Shape::parameters`].
+            pub fn symbols(&self) -> &'static [&'static str] {
+                match self {
+                    $(Shape::$shape { .. } => &[$($symbol),*],)*
+                }
+            }
+
+            /// The steepness of a cone.
+            pub fn flank(&self) -> Option<&Flank<N>> {
+                match self {
+                    $(Shape::$shape { $($field,)* } => [$(shapes!(@flank $kind $field),)*].into_iter().flatten().next(),)*
+                }
+            }
+
+            /// The steepness of a cone, for modification.
+            pub fn flank_mut(&mut self) -> Option<&mut Flank<N>> {
+                match self {
+                    $(Shape::$shape { $($field,)* } => [$(shapes!(@flank $kind $field),)*].into_iter().flatten().next(),)*
                 }
             }
 
@@ -68,8 +106,8 @@ shapes! {
     /// A profile f(r) of the library with parameters of type `N`: [`Literal`](crate::number::Literal)s in a scene, numbers of an
     /// arithmetic in a formula. Lengths are in metres, and heights count from the tip, outward: f(0) = 0.
     ///
-    /// Formulas are written as an [`Expression`](crate::contact::Expression). The heights f are in the numeric crate, the
-    /// transforms g in the analytic crate.
+    /// Formulas are written as an [`Expression`](crate::contact::Expression). The heights f without cancellation are in the numeric
+    /// crate, the transforms g in the analytic crate.
     ///
     /// ```
     /// use mdr_core::contact::Shape;
@@ -79,115 +117,112 @@ shapes! {
     /// assert_eq!(millimetres, Shape::RoundedPunch { radius: 2e3, flat: 0.5e3 });
     /// ```
     {
-        /// f = `C*r^n`, the family of the paper (1.11).
+        /// The family of the paper (1.11).
         Power = "power" {
-            /// n.
-            n: N in One,
-            /// C, in m^(1−n).
-            c: N in Coefficient,
-        },
-        /// f = `r^2/(2*R)`, the profile of the JKR theory.
+            /// the exponent.
+            n: N as "n" in One,
+            /// the coefficient, in m^(1−n).
+            c: N as "C" in Coefficient,
+        } is "C*r^n",
+        /// The profile of the JKR theory.
         Paraboloid = "paraboloid" {
-            /// R, the radius of curvature.
-            radius: N in Metre,
-        },
-        /// f = `t*r`, t the slope tan θ.
+            /// the radius of curvature.
+            radius: N as "R" in Metre,
+        } is "r^2/(2*R)",
+        /// A cone.
         Cone = "cone" {
-            /// The steepness, of slope t.
-            flank: Flank<N>,
-        },
-        /// f = `R - sqrt(R^2 - r^2)`, up to the equator.
+            /// the slope tan θ.
+            flank: Flank<N> as "t",
+        } is "t*r",
+        /// A sphere, up to the equator.
         Sphere = "sphere" {
-            /// R.
-            radius: N in Metre,
-        },
-        /// f = `h*(1 - sqrt(1 - r^2/b^2))`, up to the equator.
+            /// the radius.
+            radius: N as "R" in Metre,
+        } is "R - sqrt(R^2 - r^2)",
+        /// An ellipsoid of revolution, up to the equator.
         Ellipsoid = "ellipsoid" {
-            /// b, the half axis in the plane of contact.
-            lateral: N in Metre,
-            /// h, the half axis across it.
-            height: N in Metre,
-        },
-        /// A flat face, f = `0`, with a vertical edge at b.
+            /// the half axis in the plane of contact.
+            lateral: N as "b" in Metre,
+            /// the half axis across it.
+            height: N as "h" in Metre,
+        } is "h*(1 - sqrt(1 - r^2/b^2))",
+        /// A flat face with a vertical edge at b.
         FlatPunch = "flat-punch" {
-            /// b, the radius of the face.
-            radius: N in Metre,
-        },
-        /// A cone with a flat face instead of its tip: f = `t*max(r - b, 0)`.
+            /// the radius of the face.
+            radius: N as "b" in Metre,
+        } is "0",
+        /// A cone with a flat face instead of its tip.
         TruncatedCone = "truncated-cone" {
-            /// The steepness, of slope t.
-            flank: Flank<N>,
-            /// b, the radius of the face.
-            flat: N in Metre,
-        },
-        /// A paraboloid with a flat face instead of its tip: f = `max(r^2 - b^2, 0)/(2*R)`.
+            /// the slope tan θ.
+            flank: Flank<N> as "t",
+            /// the radius of the face.
+            flat: N as "b" in Metre,
+        } is "t*max(r - b, 0)",
+        /// A paraboloid with a flat face instead of its tip.
         TruncatedParaboloid = "truncated-paraboloid" {
-            /// R, the radius of curvature.
-            radius: N in Metre,
-            /// b, the radius of the face.
-            flat: N in Metre,
-        },
-        /// A cone that begins as a paraboloid, with one slope where they meet:
-        /// f = `t*min(r, b)^2/(2*b) + t*max(r - b, 0)`.
+            /// the radius of curvature.
+            radius: N as "R" in Metre,
+            /// the radius of the face.
+            flat: N as "b" in Metre,
+        } is "max(r^2 - b^2, 0)/(2*R)",
+        /// A cone that begins as a paraboloid, with one slope where they meet.
         ConeParabolicCap = "cone-parabolic-cap" {
-            /// The steepness, of slope t.
-            flank: Flank<N>,
-            /// b, the radius where they meet.
-            cap: N in Metre,
-        },
-        /// A cone that begins as a sphere, with one slope where they meet:
-        /// f = `R - sqrt(R^2 - min(r, R*t/sqrt(1 + t^2))^2) + t*max(r - R*t/sqrt(1 + t^2), 0)`.
+            /// the slope tan θ.
+            flank: Flank<N> as "t",
+            /// the radius where they meet.
+            cap: N as "b" in Metre,
+        } is "t*min(r, b)^2/(2*b) + t*max(r - b, 0)",
+        /// A cone that begins as a sphere, with one slope where they meet.
         ConeSphericalCap = "cone-spherical-cap" {
-            /// The steepness, of slope t.
-            flank: Flank<N>,
-            /// R, the radius of the sphere.
-            radius: N in Metre,
-        },
-        /// A hyperboloid of revolution: f = `t*(sqrt(r^2 + b^2) - b)`.
+            /// the slope tan θ.
+            flank: Flank<N> as "t",
+            /// the radius of the sphere.
+            radius: N as "R" in Metre,
+        } is "R - sqrt(R^2 - min(r, R*t/sqrt(1 + t^2))^2) + t*max(r - R*t/sqrt(1 + t^2), 0)",
+        /// A hyperboloid of revolution.
         Hyperboloid = "hyperboloid" {
-            /// The steepness of the asymptote, of slope t.
-            flank: Flank<N>,
-            /// b, the half axis in the plane of contact.
-            lateral: N in Metre,
-        },
-        /// A flat face with a parabolic rounding around it: f = `max(r - b, 0)^2/(2*R)`.
+            /// the slope tan θ of the asymptote.
+            flank: Flank<N> as "t",
+            /// the half axis in the plane of contact.
+            lateral: N as "b" in Metre,
+        } is "t*(sqrt(r^2 + b^2) - b)",
+        /// A flat face with a parabolic rounding around it.
         RoundedPunch = "rounded-punch" {
-            /// R, the radius of curvature of the rounding.
-            radius: N in Metre,
-            /// b, the radius of the face.
-            flat: N in Metre,
-        },
-        /// A parabola with its vertex beside the axis: f = `(r^2 - 2*b*r)/(2*R)`. The vertex is a ridge, b²/2R below the tip.
+            /// the radius of curvature of the rounding.
+            radius: N as "R" in Metre,
+            /// the radius of the face.
+            flat: N as "b" in Metre,
+        } is "max(r - b, 0)^2/(2*R)",
+        /// A parabola with its vertex beside the axis. The vertex is a ridge, b²/2R below the tip.
         DisplacedParaboloid = "displaced-paraboloid" {
-            /// R, the radius of curvature.
-            radius: N in Metre,
-            /// b, the distance of the vertex from the axis.
-            offset: N in Metre,
-        },
-        /// A parabolic dimple in a flat face, which is h below the tip: f = `-h*min(r, b)^2/b^2`.
+            /// the radius of curvature.
+            radius: N as "R" in Metre,
+            /// the distance of the vertex from the axis.
+            offset: N as "b" in Metre,
+        } is "(r^2 - 2*b*r)/(2*R)",
+        /// A parabolic dimple in a flat face, which is h below the tip.
         ParabolicDimple = "parabolic-dimple" {
-            /// h, its depth.
-            depth: N in Metre,
-            /// b, its radius.
-            radius: N in Metre,
-        },
-        /// An elliptical dimple in a flat face, which is h below the tip: f = `h*(sqrt(1 - min(r, b)^2/b^2) - 1)`.
-        /// Heights are known up to b, where g is −∞.
+            /// its depth.
+            depth: N as "h" in Metre,
+            /// its radius.
+            radius: N as "b" in Metre,
+        } is "-h*min(r, b)^2/b^2",
+        /// An elliptical dimple in a flat face, which is h below the tip. Heights are known up to b, where g is −∞.
         EllipticalDimple = "elliptical-dimple" {
-            /// h, its depth.
-            depth: N in Metre,
-            /// b, its radius.
-            radius: N in Metre,
-        },
-        /// f = `r^2/(2*R) + A*(1 - cos(2*pi*r/L))`, figure 4 of the paper.
+            /// its depth.
+            depth: N as "h" in Metre,
+            /// its radius.
+            radius: N as "b" in Metre,
+        } is "h*(sqrt(1 - min(r, b)^2/b^2) - 1)",
+        /// A paraboloid with a wave, figure 4 of the paper.
         WavyParaboloid = "wavy-paraboloid" {
-            /// R, the radius of curvature.
-            radius: N in Metre,
-            /// A, of either sign.
-            amplitude: N in Metre,
-            /// L, the wavelength λ.
-            wavelength: N in Metre,
-        },
+            /// the radius of curvature.
+            radius: N as "R" in Metre,
+            /// the amplitude, of either sign.
+            amplitude: N as "A" in Metre,
+            /// the wavelength λ.
+            wavelength: N as "L" in Metre,
+        } is "r^2/(2*R) + A*(1 - cos(2*pi*r/L))",
     }
 }
 
@@ -307,18 +342,6 @@ impl<N> Shape<N> {
     /// The unit of the parameter with this key.
     pub fn unit_of(&self, key: &str) -> SiUnit {
         self.units().into_iter().find(|(known, _)| *known == key).map_or(SiUnit::One, |(_, unit)| unit)
-    }
-
-    /// The steepness of a cone, for modification.
-    pub fn flank_mut(&mut self) -> Option<&mut Flank<N>> {
-        match self {
-            Shape::Cone { flank }
-            | Shape::TruncatedCone { flank, .. }
-            | Shape::ConeParabolicCap { flank, .. }
-            | Shape::ConeSphericalCap { flank, .. }
-            | Shape::Hyperboloid { flank, .. } => Some(flank),
-            _ => None,
-        }
     }
 }
 

@@ -50,7 +50,7 @@ fn collect(
             formulas.push((formula.expression.clone(), formula.parameters.clone(), formula.breaks.clone()));
         }
         Profile::Shape(shape) => {
-            let (formula, values) = shape.formula();
+            let (formula, values) = shape.formula()?;
             let breaks = formula.breaks(&values)?;
             formulas.push((formula, values, breaks));
         }
