@@ -21,8 +21,7 @@ use crate::survey::{self, Crossing, Range};
 pub(crate) use loading::Complete;
 use mean::Grade;
 
-/// What lacks an energy, for errors.
-/// The medium, where it lacks what is asked of it.
+/// The medium, for errors where it lacks what is asked of it.
 pub const MEDIUM: Quantity = Quantity::Parameter("the medium");
 /// Why a line contact has no energy.
 const NEEDS_ENERGY: &str =

@@ -267,7 +267,7 @@ impl EquilibriumBranches<Interval> for ProvedBranches {
     }
 
     fn is_same(&self, one: &Interval, other: &Interval) -> bool {
-        one.lower() == other.lower() && one.upper() == other.upper()
+        one.is_same(other)
     }
 
     fn tip_value(&self, like: &Interval) -> Interval {

@@ -50,7 +50,7 @@ impl Continuation {
     pub fn new(terms: Vec<EnclosedFormula>) -> Option<Self> {
         let mut breaks: Vec<Interval> = terms.iter().flat_map(EnclosedFormula::breaks).cloned().collect();
         breaks.sort_by(|one, other| one.lower().total_cmp(other.lower()));
-        breaks.dedup_by(|one, other| one.lower() == other.lower() && one.upper() == other.upper());
+        breaks.dedup_by(|one, other| one.is_same(other));
         if breaks.windows(2).any(|pair| pair[0].upper() >= pair[1].lower()) {
             return None;
         }
@@ -245,26 +245,17 @@ impl Stretch<'_> {
     /// v and x over an interval of t, on which v does not fall below 0.
     pub(super) fn over(&self, t: &Interval) -> Option<[Interval; 2]> {
         let [v, x] = self.at(t)?;
-        let above = |y: Interval| {
-            let zero = Float::new(y.lower().prec());
-            let lower = if y.lower().is_sign_negative() { zero } else { y.lower().clone() };
-            if *y.upper() < lower { None } else { Some(Interval::new(lower, y.upper().clone())) }
-        };
-        Some([above(v)?, above(x)?])
+        Some([v.nonnegative()?, x.nonnegative()?])
     }
 }
 
 /// √(x² − b²); 0 where both are the same enclosure of one number.
 pub(super) fn leg(x: &Interval, b: &Interval) -> Interval {
-    if x.lower() == b.lower() && x.upper() == b.upper() {
+    if x.is_same(b) {
         return x.lit(0);
     }
     let product = (x.clone() - b) * (x.clone() + b);
-    // A number that is not below 0.
-    let zero = Float::new(product.lower().prec());
-    let lower = if product.lower().is_sign_negative() { zero.clone() } else { product.lower().clone() };
-    let upper = if *product.upper() < zero { zero } else { product.upper().clone() };
-    Real::sqrt(&Interval::new(lower, upper))
+    Real::sqrt(&product.nonnegative().unwrap_or_else(|| x.lit(0)))
 }
 
 /// A number of bounds, rounded up.

@@ -64,20 +64,20 @@ impl<'a> EnclosedEnergy<'a> {
     ///
     /// # Errors
     /// [`EnclosedEnergy::potential`].
-    pub fn stored(&self, states: &[&ContactState<Interval>]) -> Result<Vec<Option<Stored>>> {
+    pub fn stored(&self, states: &[&ContactState<Interval>]) -> Result<Vec<Option<EnergySum>>> {
         let radii: Vec<Interval> =
             states.iter().filter_map(|state| Some(extended(state)?.contact_radius.clone())).collect();
         let mut squares = self.squares(&radii)?.into_iter();
         let of = |state: &&ContactState<Interval>| match (extended(state), state) {
             (_, ContactState::Complete) => Ok(None),
-            (None, _) => Ok(Some(Stored::Nothing)),
+            (None, _) => Ok(Some(EnergySum(None))),
             (Some(rest), _) => {
                 let square = squares.next().unwrap_or_else(|| Interval::entire(rest.contact_radius.ctx()));
                 let mut energy = self.with_square(&rest.contact_radius, &rest.indentation, &square)?;
                 if let Control::Machine { stiffness } = self.contact.control() {
                     energy += &(rest.force.square() / stiffness).over(2);
                 }
-                Ok(Some(Stored::Energy(energy)))
+                Ok(Some(EnergySum::from(energy)))
             }
         };
         states.iter().map(of).collect()
@@ -112,7 +112,7 @@ impl<'a> EnclosedEnergy<'a> {
                 total += &self.square_between(&from, &kink, beyond)?;
                 (from, beyond) = (kink, beyond + 1);
             }
-            if from.lower() != to.lower() || from.upper() != to.upper() {
+            if !from.is_same(to) {
                 total += &self.square_between(&from, to, beyond)?;
                 from = to.clone();
             }
@@ -133,7 +133,7 @@ impl<'a> EnclosedEnergy<'a> {
 
     /// ∫ g² from a kink to a radius that is not told apart from it.
     fn rest(&self, a: &Interval, place: &Interval) -> Result<Interval> {
-        if a.lower() == place.lower() && a.upper() == place.upper() {
+        if a.is_same(place) {
             return Ok(a.lit(0));
         }
         let g = self.profile.range(&a.hull(place)).ok_or_else(|| unproved(a))?;
@@ -153,13 +153,36 @@ impl<'a> EnclosedEnergy<'a> {
     }
 }
 
-/// What is stored in a state.
-#[derive(Clone, Debug)]
-pub enum Stored {
-    /// Nothing, exactly.
-    Nothing,
-    /// An energy, in J.
-    Energy(Interval),
+/// A sum of energies, in J: exactly nothing where all its terms are.
+#[derive(Clone, Debug, Default)]
+pub struct EnergySum(Option<Interval>);
+
+impl From<Interval> for EnergySum {
+    fn from(energy: Interval) -> Self {
+        EnergySum(Some(energy))
+    }
+}
+
+impl EnergySum {
+    /// The sum, `None` where it is exactly nothing.
+    pub fn energy(&self) -> Option<&Interval> {
+        self.0.as_ref()
+    }
+
+    /// The sum with the terms of another one.
+    #[must_use]
+    pub fn plus(self, other: &EnergySum) -> EnergySum {
+        EnergySum(match (self.0, &other.0) {
+            (Some(one), Some(other)) => Some(one + other),
+            (one, other) => one.or_else(|| other.clone()),
+        })
+    }
+
+    /// The sum without the terms of another one.
+    #[must_use]
+    pub fn minus(self, other: &EnergySum) -> EnergySum {
+        self.plus(&EnergySum(other.0.clone().map(|energy| -energy)))
+    }
 }
 
 /// The equilibrium, if the surfaces are in contact on more than a point.

@@ -20,7 +20,7 @@ mod range;
 
 pub use branches::ProvedBranches;
 pub use continuation::Continuation;
-pub use energy::{EnclosedEnergy, Stored};
+pub use energy::{EnclosedEnergy, EnergySum};
 pub use fields::EnclosedFields;
 pub use range::range;
 
@@ -31,6 +31,7 @@ use mdr_core::number::{Dual, Interval, Precision, Real};
 use rug::Float;
 
 use crate::contact::Contact;
+use crate::energy::MEDIUM;
 
 /// Refuses other media than a half-space.
 fn check_half_space(contact: &Contact<Interval>) -> Result<()> {
@@ -38,7 +39,7 @@ fn check_half_space(contact: &Contact<Interval>) -> Result<()> {
         return Ok(());
     }
     let requirement = "a half-space, for integrals with a proof";
-    Err(Error::domain(Quantity::Parameter("the medium"), contact.modulus(), requirement))
+    Err(Error::Domain { quantity: MEDIUM, value: "another medium".to_owned(), requirement })
 }
 
 /// One contact in two arithmetics: enclosures, and enclosures with derivatives.

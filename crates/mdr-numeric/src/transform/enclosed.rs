@@ -94,12 +94,7 @@ impl Enclosed {
     /// The integrals at x, with the terms of kinks.
     fn integrals(&self, x: &Interval, order: Order) -> Result<Vec<Interval>> {
         self.check(x)?;
-        let same = |kept: &Kept| {
-            kept.order == order
-                && kept.x.lower() == x.lower()
-                && kept.x.upper() == x.upper()
-                && kept.x.lower().prec() == x.lower().prec()
-        };
+        let same = |kept: &Kept| kept.order == order && kept.x.is_same(x) && kept.x.lower().prec() == x.lower().prec();
         let known = |kept: &Vec<Kept>| kept.iter().find(|kept| same(kept)).map(|kept| kept.values.clone());
         if let Some(values) = known(&self.kept.lock().unwrap_or_else(PoisonError::into_inner)) {
             return Ok(values);

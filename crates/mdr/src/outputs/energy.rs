@@ -27,8 +27,10 @@ use crate::solve::states::States;
 #[cfg(feature = "mp")]
 use crate::{
     answer::{List, Promise},
+    scene::Scene,
+    solve::certified::Certified,
+    solve::power_law::{self, PowerLaw},
     solve::rigorous::{self, Proved},
-    solve::{certified::Certified, power_law::PowerLaw},
 };
 
 record! {
@@ -73,9 +75,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if certified.scene.has_two_works() {
-            return Ok(None);
-        }
         let items = rigorous::described(certified, self.states, |proved, state, record| {
             of_proved(certified, proved, state, record)
         })?;
@@ -146,8 +145,8 @@ fn of_proved(
     record: PlainState<Enclosure>,
 ) -> Result<EnergyState<Enclosure>> {
     let energy = EnclosedEnergy::new(&proved.contact, &proved.profile)?;
-    let energy = energy.potential(&state.contact_radius, &state.indentation)?
-        + held_by(certified, proved, &state.contact_radius);
+    let energy =
+        energy.potential(&state.contact_radius, &state.indentation)? + held(certified.scene, &state.contact_radius);
     let stiffness = match (state.stability, &certified.scene.control) {
         (Stability::Neutral, Control::Indentation) => {
             let requirement = "off the fold of the indentation";
@@ -166,15 +165,6 @@ fn of_proved(
     })
 }
 
-/// (w₂ − w₁)πa² at a receding edge of a contact that is proved, by which the energy stored exceeds Π with its own work of adhesion.
-#[cfg(feature = "mp")]
-fn held_by(certified: &Certified<'_>, proved: &Proved, radius: &Interval) -> Interval {
-    let works = certified.scene.works.as_ref().filter(|_| certified.scene.edge == Some(Edge::Receding));
-    let number = |literal: &Literal| proved.enclosed.value.number(literal);
-    let more = works.map_or_else(|| radius.lit(0), |works| number(&works[1]) - number(&works[0]));
-    radius.square() * radius.pi() * more
-}
-
 /// Π and dF/dd of a power law.
 #[cfg(feature = "mp")]
 fn of_law(law: &PowerLaw<'_>, curve: &Curve, point: &Point, value: &Rational) -> Result<EnergyState<Enclosure>> {
@@ -187,9 +177,10 @@ fn of_law(law: &PowerLaw<'_>, curve: &Curve, point: &Point, value: &Rational) ->
         Some(_) if stationary => Ok(Rational::new().into()),
         stiffness => stiffness.map(|stiffness| stiffness.enclosure()).ok_or_else(at_fold),
     };
+    let held = held(law.scene, &point.radius().interval());
     Ok(EnergyState {
         state: law.state(curve, point, Some(value)).into(),
-        energy: Value::Known(curve.energy(point).plus(&held(law, point, curve)).enclosure()),
+        energy: Value::Known(curve.energy(point).plus(&Scaled::from(held)).enclosure()),
         stiffness: Value::from_result(stiffness)?,
         admissible: Admission::Admissible,
         edge: law.scene.edge,
@@ -198,9 +189,9 @@ fn of_law(law: &PowerLaw<'_>, curve: &Curve, point: &Point, value: &Rational) ->
 
 /// (w₂ − w₁)πa² at a receding edge, by which the energy stored exceeds Π with its own work of adhesion.
 #[cfg(feature = "mp")]
-fn held(law: &PowerLaw<'_>, point: &Point, curve: &Curve) -> Scaled {
-    let works = law.scene.works.as_ref().filter(|_| law.scene.edge == Some(Edge::Receding));
-    let more = works.map_or_else(Rational::new, |works| law.number(&works[1]) - law.number(&works[0]));
-    let radius = point.radius().interval();
-    Scaled::from(radius.square() * radius.pi() * Interval::from_rational(curve.precision(), &more))
+fn held(scene: &Scene, radius: &Interval) -> Interval {
+    let works = scene.works.as_ref().filter(|_| scene.edge == Some(Edge::Receding));
+    let number = |work: &Literal| power_law::number(scene, work);
+    let more = works.map_or_else(Rational::new, |works| number(&works[1]) - number(&works[0]));
+    radius.square() * radius.pi() * Interval::from_rational(radius.ctx(), &more)
 }

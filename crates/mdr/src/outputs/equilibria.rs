@@ -3,7 +3,7 @@
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Edge, Result, Stability};
 #[cfg(feature = "mp")]
-use mdr_core::contact::{Control, Error, Quantity};
+use mdr_core::contact::{Error, Quantity};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::Real;
@@ -215,11 +215,8 @@ fn proved_at(
                     is_within(&enclosed.value.contact_radius(&state.contact_radius), limits)
                 })? {
                     let mut state = judged(&enclosed.value, state, &admissibility).convert(Enclosure::from);
-                    match certified.scene.control {
-                        Control::Indentation => state.indentation = proof::exactly(literal),
-                        Control::Force => state.force = proof::exactly(literal),
-                        Control::Machine { .. } => {}
-                    }
+                    let control = &certified.scene.control;
+                    proof::controlled_exactly(control, literal, &mut state.indentation, &mut state.force);
                     states.push(state);
                 }
             }

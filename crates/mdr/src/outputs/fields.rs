@@ -159,9 +159,6 @@ impl<'w, F: FieldRoom<'w>> Request<'w> for F {
 impl<'w, F: FieldRoom<'w>> Room<'w> for F {
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if certified.scene.has_two_works() {
-            return Ok(None);
-        }
         let [states, at] = self.question();
         let items = rigorous::described(certified, states, |proved, state, record| {
             let fields = EnclosedFields::new(&proved.contact, &proved.profile, state)?;

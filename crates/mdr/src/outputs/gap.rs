@@ -2,9 +2,9 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Equilibrium, Result};
-use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
-use mdr_core::number::{Interval, Real, certify::Enclosure};
+use mdr_core::number::{Interval, certify::Enclosure};
+use mdr_core::number::{Literal, Real};
 use mdr_numeric::admissible::Verdict;
 use mdr_numeric::fields::Fields;
 #[cfg(feature = "mp")]
@@ -52,20 +52,8 @@ impl<'w> FieldRoom<'w> for Room<'w> {
     /// With its gap where it is below zero.
     #[cfg(feature = "mp")]
     fn proved_admission(verdict: Verdict, fields: &EnclosedFields<'_>) -> Result<Admission<Enclosure>> {
-        let Verdict::Interpenetrating { radius, .. } = &verdict else {
-            return Ok(Admission::of(verdict));
-        };
-        for digits in 3..=17 {
-            let literal = decimal(*radius, digits)?;
-            let gap = fields.gap(&Interval::from_literal(fields.precision(), &literal));
-            if let Ok(gap) = gap
-                && gap < gap.lit(0)
-            {
-                let gap = Value::Known(gap.into());
-                return Ok(Admission::overlapping(Some(Overlap { r: Value::Given(literal), gap })));
-            }
-        }
-        Ok(Admission::of(verdict))
+        let number = |r: &Literal| Interval::from_literal(fields.precision(), r);
+        with_gap(verdict, |r| fields.gap(&number(r)), Enclosure::from)
     }
 
     /// Whether a state is admissible; with its gap where it is below zero.
@@ -74,19 +62,27 @@ impl<'w> FieldRoom<'w> for Room<'w> {
         fields: &Fields<R>,
         state: &Equilibrium<R>,
     ) -> Result<Admission<Estimate<R>>> {
-        let verdict = states.verdict(state);
-        let Verdict::Interpenetrating { radius, .. } = &verdict else {
-            return Ok(Admission::of(verdict));
-        };
-        // As short as it may be: any radius with a negative gap is as good as another.
-        for digits in 3..=17 {
-            let literal = decimal(*radius, digits)?;
-            let gap = fields.gap(&states.model.number(&literal));
-            if gap.as_ref().is_ok_and(|gap| *gap < gap.lit(0)) {
-                let gap = Value::from_result(gap.map(Estimate::exact))?;
-                return Ok(Admission::overlapping(Some(Overlap { r: Value::Given(literal), gap })));
-            }
-        }
-        Ok(Admission::of(verdict))
+        with_gap(states.verdict(state), |r| fields.gap(&states.model.number(r)), Estimate::exact)
     }
+}
+
+/// A verdict, with the gap at a radius where it is below zero. The radius is as short as it may be: any other one is as good.
+fn with_gap<R: Real, N>(
+    verdict: Verdict,
+    gap: impl Fn(&Literal) -> Result<R>,
+    shown: impl FnOnce(R) -> N,
+) -> Result<Admission<N>> {
+    let Verdict::Interpenetrating { radius, .. } = &verdict else {
+        return Ok(Admission::of(verdict));
+    };
+    for digits in 3..=17 {
+        let r = decimal(*radius, digits)?;
+        if let Ok(gap) = gap(&r)
+            && gap < gap.lit(0)
+        {
+            let (r, gap) = (Value::Given(r), Value::Known(shown(gap)));
+            return Ok(Admission::overlapping(Some(Overlap { r, gap })));
+        }
+    }
+    Ok(Admission::of(verdict))
 }

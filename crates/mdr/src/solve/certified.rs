@@ -47,12 +47,12 @@ impl<'s> Certified<'s> {
         Certified { scene, digits, counts, search, folds, admissibility, formulas: OnceCell::new() }
     }
 
-    /// The profile as formulas; `None` if it is none.
+    /// The profile as formulas; `None` if it is none, or their kinks are not known.
     ///
     /// # Errors
-    /// [`Error::Unproved`] if the kinks of a formula are not known.
+    /// Errors that do not leave the question open; see [`Formulas::of`].
     pub(crate) fn formulas(&self) -> Result<Option<&Formulas>> {
-        once(&self.formulas, || Formulas::of(&self.scene.profile)).map(Option::as_ref)
+        once(&self.formulas, || Ok(proof::decided(Formulas::of(&self.scene.profile))?.flatten())).map(Option::as_ref)
     }
 
     /// Which states are admissible: by the form of the profile, by the proved extrema of g of a formula, else in f64.

@@ -183,7 +183,7 @@ pub(crate) fn complete() -> Completeness {
 }
 
 /// A number of a scene in the arithmetic of its answer.
-fn number(scene: &Scene, literal: &Literal) -> Rational {
+pub(crate) fn number(scene: &Scene, literal: &Literal) -> Rational {
     match scene.arithmetic {
         Arithmetic::Certified { .. } => literal.to_rational(),
         Arithmetic::Double => Rational::from_f64(literal.nearest_f64()).unwrap_or_else(|| literal.to_rational()),

@@ -161,6 +161,28 @@ pub(crate) fn exactly(literal: &Literal) -> Value<Enclosure> {
     Value::Known(Enclosure::Exact(literal.to_rational()))
 }
 
+/// Of the two the one that is controlled, as it is written.
+pub(crate) fn controlled_exactly(
+    control: &Control<Literal>,
+    literal: &Literal,
+    indentation: &mut Value<Enclosure>,
+    force: &mut Value<Enclosure>,
+) {
+    match control {
+        Control::Indentation => *indentation = exactly(literal),
+        Control::Force => *force = exactly(literal),
+        Control::Machine { .. } => {}
+    }
+}
+
+/// `None` if the question stays open, or an integral does not reach: the two estimates may.
+pub(crate) fn reached<T>(result: Result<T>) -> Result<Option<T>> {
+    match result {
+        Err(Error::Domain { .. }) => Ok(None),
+        result => decided(result),
+    }
+}
+
 /// `None` if the question stays open.
 pub(crate) fn decided<T>(result: Result<T>) -> Result<Option<T>> {
     match result {

@@ -13,7 +13,7 @@ use mdr_numeric::proof::{Continuation, ProvedBranches};
 
 use super::certified::Certified;
 use super::digits::{MOST_OF_INTEGRALS, decide_within, start};
-use super::proof::{Enclosed, FoldProof, decided, exactly};
+use super::proof::{Enclosed, FoldProof, controlled_exactly, reached};
 use crate::answer::record::Numbers;
 use crate::answer::{AtValue, Number, PlainState};
 use crate::scene::Profile;
@@ -31,13 +31,15 @@ impl Formulas {
         Ok(collect(profile, &mut formulas).map_err(without_formula)?.then_some(Formulas(formulas)))
     }
 
-    /// The formulas over sets of numbers; `None` if the order of their kinks is not known.
+    /// The formulas over sets of numbers.
     ///
     /// # Errors
-    /// A parameter without a value.
-    pub(crate) fn continued(&self, precision: Precision) -> Result<Option<Continuation>> {
+    /// A parameter without a value; [`Error::Undecided`] if the order of their kinks is not known.
+    pub(crate) fn continued(&self, precision: Precision) -> Result<Continuation> {
         let terms = self.0.iter().map(|(formula, values, breaks)| formula.enclosed(values, breaks, precision));
-        Ok(Continuation::new(terms.collect::<std::result::Result<_, _>>().map_err(without_formula)?))
+        let terms = terms.collect::<std::result::Result<_, _>>().map_err(without_formula)?;
+        let (quantity, bits, what) = (Quantity::Radius, precision.bits(), "the order of two kinks");
+        Continuation::new(terms).ok_or(Error::Undecided { quantity, bits, what })
     }
 }
 
@@ -88,8 +90,7 @@ impl Proved {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
         let branches = branches.with_admissibility(certified.admissibility()?);
-        let open = || Error::undecided(Quantity::Radius, enclosed.value.contact().modulus(), "the order of two kinks");
-        let profile = formulas.continued(precision)?.ok_or_else(open)?;
+        let profile = formulas.continued(precision)?;
         Ok(Proved { contact: enclosed.value.contact(), enclosed, profile, branches })
     }
 
@@ -114,8 +115,8 @@ impl Proved {
     }
 }
 
-/// What is printed of records at values.
-type Printed<T> = Vec<AtValue<<T as Numbers<Enclosure>>::With<Number>>>;
+/// Records at values, as they are printed.
+type Described<T> = Vec<AtValue<<T as Numbers<Enclosure>>::With<Number>>>;
 
 /// The record of every equilibrium at the values, of the state in which the path starts without values; `None` if not all of it
 /// can be proved.
@@ -126,18 +127,18 @@ pub(crate) fn described<T: Numbers<Enclosure>>(
     certified: &Certified<'_>,
     values: &[Literal],
     describe: impl Fn(&Proved, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
-) -> Result<Option<Printed<T>>>
+) -> Result<Option<Described<T>>>
 where
     Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
 {
     let scene = certified.scene;
     // Within a range that the scene names not all equilibria need be listed.
-    if scene.range.is_some() || scene.works.is_some() && scene.edge.is_none() || !scene.medium.is_half_space() {
+    if scene.range.is_some() || scene.has_two_works() || !scene.medium.is_half_space() {
         return Ok(None);
     }
-    let Some(formulas) = decided(certified.formulas())?.flatten() else { return Ok(None) };
+    let Some(formulas) = certified.formulas()? else { return Ok(None) };
     let Some(folds) = certified.fold_proof()? else { return Ok(None) };
-    let items = decide_within(MOST_OF_INTEGRALS, start(certified.digits), certified.digits, |precision| {
+    reached(decide_within(MOST_OF_INTEGRALS, start(certified.digits), certified.digits, |precision| {
         let proved = Proved::new(certified, folds, formulas, precision)?;
         let one = |state: Equilibrium<Interval>, literal: &Literal| {
             let record = plain(&proved, state.clone(), literal, &scene.control);
@@ -154,12 +155,7 @@ where
         };
         let start = scene.path.first().filter(|_| values.is_empty());
         values.iter().chain(start).map(at).collect::<Result<Vec<_>>>()
-    });
-    match items {
-        // The two estimates may reach where one integral does not.
-        Err(Error::Domain { .. }) => Ok(None),
-        items => decided(items),
-    }
+    }))
 }
 
 /// A state with the exact value of the controlled quantity, which at a fold is that of the fold.
@@ -171,11 +167,8 @@ fn plain(
 ) -> PlainState<Enclosure> {
     let is_fold = state.stability == Stability::Neutral;
     let mut record = proved.enclosed.value.plain(state).convert(Enclosure::from);
-    match control {
-        _ if is_fold => {}
-        Control::Indentation => record.indentation = exactly(literal),
-        Control::Force => record.force = exactly(literal),
-        Control::Machine { .. } => {}
+    if !is_fold {
+        controlled_exactly(control, literal, &mut record.indentation, &mut record.force);
     }
     record
 }

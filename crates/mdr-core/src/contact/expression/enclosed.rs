@@ -265,7 +265,7 @@ impl Node<Interval> {
     fn is_same(&self, other: &Node<Interval>) -> bool {
         match (self, other) {
             (Node::Variable, Node::Variable) => true,
-            (Node::Constant(a), Node::Constant(b)) => a.lower() == b.lower() && a.upper() == b.upper(),
+            (Node::Constant(a), Node::Constant(b)) => a.is_same(b),
             (Node::Negative(x), Node::Negative(y)) => x.is_same(y),
             (Node::Power(x, n), Node::Power(y, k)) => n == k && x.is_same(y),
             (Node::Function(f, x), Node::Function(g, y)) => f == g && x.is_same(y),

@@ -146,6 +146,18 @@ impl Interval {
         self.lo.cmp0() != Some(Ordering::Greater) && self.hi.cmp0() != Some(Ordering::Less)
     }
 
+    /// Whether both are the same set of numbers; [`PartialEq`] is equality of the numbers that they enclose.
+    pub fn is_same(&self, other: &Interval) -> bool {
+        self.lo == other.lo && self.hi == other.hi
+    }
+
+    /// Its part without numbers below 0; `None` if it has none.
+    pub fn nonnegative(&self) -> Option<Interval> {
+        let zero = Float::new(self.lo.prec());
+        let lo = if self.lo.is_sign_negative() { zero } else { self.lo.clone() };
+        (lo <= self.hi).then(|| Interval::new(lo, self.hi.clone()))
+    }
+
     /// Whether the two intervals have a number in common.
     pub fn overlaps(&self, other: &Interval) -> bool {
         self.lo <= other.hi && other.lo <= self.hi

@@ -8,39 +8,11 @@ use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::path::{ContactState, Event, EventKind, Path};
-use mdr_numeric::proof::{Continuation, EnclosedEnergy, Stored};
+use mdr_numeric::proof::{Continuation, EnclosedEnergy, EnergySum};
 use rug::Rational;
 
 use super::{Balance, Dissipation, PathEvent, PathNumbers, changes};
 use crate::answer::{Admission, Optional, Value};
-
-/// An energy that is exactly nothing where all that it is the sum of is.
-#[derive(Clone)]
-struct Sum(Option<Interval>);
-
-impl Sum {
-    fn of(stored: &Stored) -> Sum {
-        match stored {
-            Stored::Energy(energy) => Sum(Some(energy.clone())),
-            _ => Sum(None),
-        }
-    }
-
-    fn plus(self, other: &Sum) -> Sum {
-        Sum(match (self.0, &other.0) {
-            (Some(one), Some(other)) => Some(one + other),
-            (one, other) => one.or_else(|| other.clone()),
-        })
-    }
-
-    fn minus(self, other: &Sum) -> Sum {
-        self.plus(&Sum(other.0.clone().map(|energy| -energy)))
-    }
-
-    fn value(&self) -> Value<Enclosure> {
-        Value::Known(self.0.clone().map_or_else(|| Rational::new().into(), Enclosure::from))
-    }
-}
 
 /// The energy lost in each event, as records without other numbers, and the balance of a path along way points.
 ///
@@ -59,8 +31,8 @@ pub(super) fn of_path(
     let states: Vec<&ContactState<Interval>> =
         finite.iter().flat_map(|event| [&event.before, &event.after]).chain(ends).collect();
     let mut stored = energy.stored(&states)?.into_iter();
-    let mut next = || stored.next().flatten().map(|stored| Sum::of(&stored));
-    let mut total = Some(Sum(None));
+    let mut next = || stored.next().flatten();
+    let mut total = Some(EnergySum::default());
     let mut events = Vec::new();
     for event in &path.events {
         let dissipated = if !changes(event.kind) {
@@ -72,19 +44,23 @@ pub(super) fn of_path(
             let [before, after] = [next(), next()];
             let lost = before.zip(after).map(|(before, after)| before.minus(&after).plus(&work_in(event, contact)));
             total = total.zip(lost.clone()).map(|(total, lost)| total.plus(&lost));
-            lost.map(|lost| Dissipation::Finite(lost.value()))
+            lost.map(|lost| Dissipation::Finite(value(lost)))
         };
         events.push(lost_in(event.kind, dissipated));
     }
     let [first, last] = [next(), next()];
     let balance = total.zip(first.zip(last)).map(|(dissipated, (first, last))| {
-        let stored = if returns(path, way) { Sum(None) } else { last.minus(&first) };
+        let stored = if returns(path, way) { EnergySum::default() } else { last.minus(&first) };
         let work = dissipated.clone().plus(&stored);
-        let [work, dissipated, stored] = [work, dissipated, stored].map(|sum| sum.value());
+        let [work, dissipated, stored] = [work, dissipated, stored].map(value);
         Balance { work, dissipated, stored, jumps: Optional(None), hysteresis: Optional(None) }
     });
     let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
     Ok(PathNumbers { events, balance: balance.filter(|_| !lost_track) })
+}
+
+fn value(sum: EnergySum) -> Value<Enclosure> {
+    Value::Known(sum.energy().map_or_else(|| Rational::new().into(), |energy| energy.clone().into()))
 }
 
 /// Whether a dead load falls without end, or an infinite surface comes into contact.
@@ -94,12 +70,12 @@ fn is_unbounded(event: &Event<Interval>, contact: &Contact<Interval>) -> bool {
 }
 
 /// F(d₂ − d₁) of a dead load between two contacts; where the surfaces are apart on one side it is 0.
-fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> Sum {
+fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> EnergySum {
     match (contact.control(), event.before.contact(), event.after.contact()) {
         (Control::Force, Some(before), Some(after)) => {
-            Sum(Some((after.indentation.clone() - &before.indentation) * &event.value))
+            ((after.indentation.clone() - &before.indentation) * &event.value).into()
         }
-        _ => Sum(None),
+        _ => EnergySum::default(),
     }
 }
 
@@ -111,7 +87,7 @@ fn returns(path: &Path<Interval>, way: &[Literal]) -> bool {
     let same = match (first, last) {
         (Some(ContactState::Contact(one)), Some(ContactState::Contact(other))) => {
             let [one, other] = [one, other].map(|rest| &rest.contact_radius);
-            one.lower() == other.lower() && one.upper() == other.upper()
+            one.is_same(other)
         }
         (Some(ContactState::Detached), Some(ContactState::Detached)) => true,
         _ => false,

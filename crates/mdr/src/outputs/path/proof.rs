@@ -1,6 +1,6 @@
 //! The path over enclosures: every digit and every decision proved, except for its energies.
 
-use mdr_core::contact::{self, Control, Error, Quantity, Result};
+use mdr_core::contact::{self, Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
@@ -16,7 +16,7 @@ use crate::answer::{Completeness, Number, Promise, Value};
 use crate::solve::certified::Certified;
 use crate::solve::digits::{MOST_OF_INTEGRALS, agree, decide_from, decide_within, guarded, raised, start};
 use crate::solve::model::Model;
-use crate::solve::proof::{Enclosed, FoldProof, decided, exactly};
+use crate::solve::proof::{Enclosed, FoldProof, decided, exactly, reached};
 
 /// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
 pub(super) const ENOUGH: u32 = 16;
@@ -98,22 +98,16 @@ impl Followed {
         if !scene.medium.is_half_space() {
             return Ok(None);
         }
-        let Some(formulas) = decided(certified.formulas())?.flatten() else { return Ok(None) };
+        let Some(formulas) = certified.formulas()? else { return Ok(None) };
         let begin = Precision::new(self.bits);
-        let numbers = decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |precision| {
+        reached(decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |precision| {
             if self.bits < precision.bits() {
                 *self = Followed::new(certified, folds, precision)?;
             }
             let model: Model<Interval> = certified.model(precision)?;
-            let open = || Error::undecided(Quantity::Radius, model.contact().modulus(), "the order of two kinks");
-            let profile = formulas.continued(precision)?.ok_or_else(open)?;
+            let profile = formulas.continued(precision)?;
             energies::of_path(&self.path, &scene.path, &model.contact(), &profile)
-        });
-        match numbers {
-            // Two estimates may reach where one integral does not.
-            Err(Error::Domain { .. }) => Ok(None),
-            numbers => decided(numbers),
-        }
+        }))
     }
 }
 
