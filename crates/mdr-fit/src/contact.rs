@@ -87,6 +87,13 @@ impl Numbers<f64> {
         [row.x - of_position * row.at.time, row.y - trend]
     }
 
+    /// Depth and force of a place on the curve, by the sensitivity of a photodiode, the offsets and the stiffness.
+    pub(super) fn state(&self, observation: Observation, [x, y]: [f64; 2]) -> [f64; 2] {
+        let seen = self.baseline + self.sensitivity.unwrap_or(1.0) * (y - self.baseline);
+        let stiffness = self.stiffness.unwrap_or(f64::INFINITY);
+        observation.state([x, seen], [self.contact_point, self.baseline], stiffness)
+    }
+
     /// How the place of the curve against that of a row moves with a number, by its trends.
     pub(super) fn trend_partial(&self, kind: Kind, row: &DataRow) -> [f64; 2] {
         match kind {

@@ -190,11 +190,8 @@ impl Scatter {
             .map(|three| (three[0].y - 2.0 * three[1].y + three[2].y).abs())
             .collect();
         let range = |of: fn(&super::problem::DataRow) -> f64| {
-            let ends = rows
-                .iter()
-                .map(of)
-                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)]);
-            ends[1] - ends[0]
+            let [low, high] = judge::extent(rows.iter().map(of));
+            high - low
         };
         let (range, span) = (range(|row| row.y), range(|row| row.x));
         let seen = judge::median(seconds) / (0.6745 * 6f64.sqrt());

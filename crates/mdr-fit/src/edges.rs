@@ -2,6 +2,7 @@
 
 use mdr_core::contact::Edge;
 
+use super::judge;
 use super::objective::Objective;
 use super::observation::Leg;
 use super::problem::{Kind, Problem};
@@ -29,10 +30,7 @@ pub(super) fn from_legs(objective: &Objective<'_>, problem: &Problem, source: So
     let stride = problem.rows.len().div_ceil(ROWS).max(1);
     let few = Problem { rows: problem.rows.iter().copied().step_by(stride).collect(), ..problem.clone() };
     let Ok(search) = Objective::new(&few, objective.x_scale, objective.noise) else { return Vec::new() };
-    let ends = problem
-        .rows
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.x), high.max(row.x)]);
+    let ends = judge::extent(problem.rows.iter().map(|row| row.x));
     let span = ends[1] - ends[0];
     let mut starts = Vec::new();
     for (leg, edge, name) in

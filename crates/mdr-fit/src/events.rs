@@ -84,11 +84,8 @@ fn first_touch(errors: &Errors<'_>, minimum: &Minimum) -> FitEvent {
 /// A row as a state.
 fn measured(errors: &Errors<'_>, minimum: &Minimum, [x, y]: [f64; 2]) -> FitEvent {
     let numbers = &minimum.evaluation.numbers;
-    let stiffness = numbers.stiffness.unwrap_or(f64::INFINITY);
     let observation = errors.objective.problem.observation;
-    let sensitivity = numbers.sensitivity.unwrap_or(1.0);
-    let state = [x, numbers.baseline + sensitivity * (y - numbers.baseline)];
-    let [indentation, force] = observation.state(state, [numbers.contact_point, numbers.baseline], stiffness);
+    let [indentation, force] = numbers.state(observation, [x, y]);
     let undetermined = errors.spectrum.undetermined();
     let is_known = |kind: Kind| errors.kinds().iter().zip(&undetermined).all(|(known, lost)| *known != kind || !lost);
     let by_machine = is_known(Kind::Stiffness) || observation == Observation::ForceOfPosition;

@@ -192,6 +192,11 @@ pub(super) fn chi2_p(chi2: f64, dof: usize) -> Option<f64> {
     ChiSquared::new(dof as f64).ok().map(|distribution| if chi2.is_finite() { distribution.sf(chi2) } else { 0.0 })
 }
 
+/// The smallest and the largest of numbers; without numbers, infinities in the wrong order.
+pub(super) fn extent(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    values.into_iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+}
+
 /// The median; NaN of nothing.
 pub(super) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);

@@ -5,6 +5,7 @@ use mdr_core::contact::{Edge, Result};
 use super::arcs::{self, Arc};
 use super::contact::Contact;
 use super::foot::{self, Foot};
+use super::judge;
 use super::labels::cheapest;
 use super::objective::{Evaluation, Objective};
 use super::observation::{Leg, Observation};
@@ -17,10 +18,7 @@ impl Objective<'_> {
         let observation = self.problem.observation;
         let numbers = evaluation.numbers.clone();
         let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.noise.beyond);
-        let [low, high] = self.rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| {
-            let [x, _] = numbers.untrended(row);
-            [low.min(x), high.max(x)]
-        });
+        let [low, high] = judge::extent(self.rows.iter().map(|row| numbers.untrended(row)[0]));
         let range = [low, high + margin];
         let directions: &[Option<Edge>] = match numbers.works {
             Some(_) => &[Some(Edge::Advancing), Some(Edge::Receding)],

@@ -4,6 +4,7 @@ use mdr_core::contact::Edge;
 
 use super::answer::{Fit, FitEstimate, FitLimit};
 use super::drive::{self, Outcome};
+use super::judge;
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::problem::{Kind, Problem};
@@ -179,8 +180,7 @@ fn upper(fit: &Fit, problem: &Problem, index: usize, value: f64) -> Option<f64> 
     // From far below: where E* and the range of X would be those of adhesion that is seen.
     let of_modulus = problem.parameters.iter().find(|parameter| parameter.kind == Kind::EffectiveModulus)?;
     let modulus = fit.estimate(&of_modulus.name).and_then(|estimate| estimate.value).or(of_modulus.value)?;
-    let ends =
-        fit.rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.x), high.max(row.x)]);
+    let ends = judge::extent(fit.rows.iter().map(|row| row.x));
     let scale = if problem.observation.has_depth() {
         problem.work_of_length(modulus, ends[1] - ends[0])
     } else {

@@ -101,11 +101,7 @@ fn retracted(fit: &Fit, errors: &Errors<'_>, minimum: &Minimum) -> Vec<Row> {
     let rows = data.iter().zip(&fit.rows).filter(|(row, _)| Some(row.at.part) == last);
     let row = |(row, fitted): (&super::problem::DataRow, &super::answer::FittedRow)| {
         let [x, y] = numbers.untrended(row);
-        let sensitivity = numbers.sensitivity.unwrap_or(1.0);
-        let seen = [x, numbers.baseline + sensitivity * (y - numbers.baseline)];
-        let stiffness = numbers.stiffness.unwrap_or(f64::INFINITY);
-        let [_, force] =
-            errors.objective.problem.observation.state(seen, [numbers.contact_point, numbers.baseline], stiffness);
+        let [_, force] = numbers.state(errors.objective.problem.observation, [x, y]);
         Row { x, force, in_contact: fitted.label >= 0 }
     };
     rows.map(row).collect()

@@ -1,5 +1,6 @@
 //! Which rows of a record count, its legs by number, and the time of each row.
 
+use super::judge;
 use super::observation::Leg;
 use super::parameter::refuse;
 use super::problem::{DataRow, Moment, Problem};
@@ -141,8 +142,7 @@ pub(super) fn arrange(rows: &mut [DataRow], times: Option<&[f64]>) {
     for (index, row) in rows.iter_mut().enumerate() {
         row.at.time = times.and_then(|times| times.get(index)).map_or(index as f64 / count, |time| time - first);
     }
-    let ends =
-        rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.x), high.max(row.x)]);
+    let ends = judge::extent(rows.iter().map(|row| row.x));
     let back = TURN * (ends[1] - ends[0]);
     let Some(start) = rows.first().copied() else { return };
     let (mut part, mut farthest, mut turn) = (0, start.x, [start.x, start.at.time]);
@@ -167,7 +167,7 @@ pub(super) fn arrange(rows: &mut [DataRow], times: Option<&[f64]>) {
 
 /// Where a record turns more than once, the leg of each row; `None` where it does not.
 pub(super) fn cycles(x: &[f64]) -> Option<Vec<Leg>> {
-    let ends = x.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(*x), high.max(*x)]);
+    let ends = judge::extent(x.iter().copied());
     let back = TURN * (ends[1] - ends[0]);
     // The extremes at which the record turns, by a way back of some length.
     let mut turns = Vec::new();

@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use super::contact::Tip;
 use super::edges;
 use super::hypotheses;
+use super::judge;
 use super::objective::Objective;
 use super::observation::{Leg, Observation};
 use super::problem::{Kind, Problem};
@@ -228,8 +229,7 @@ fn two_points(problem: &Problem, record: &Record, numbers: &[f64]) -> Option<[f6
 
 /// A search over w/E*: E* and the contact point follow from a row at which a fold is.
 fn by_search(problem: &Problem, record: &Record, tip: &Tip<f64>) -> Vec<[f64; 4]> {
-    let depths = record.states.iter().map(|state| state[0]);
-    let (low, high) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| (low.min(d), high.max(d)));
+    let [low, high] = judge::extent(record.states.iter().map(|state| state[0]));
     let span = high - low;
     let mut minima: Vec<(f64, [f64; 4], Anchor)> = Vec::new();
     for anchor in [Anchor::SmallestForce, Anchor::PullOff] {

@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::judge;
 use super::problem::{Kind, Problem};
 
 /// The share of the range of X, from its lowest end, in which a baseline is looked for.
@@ -35,8 +36,7 @@ pub(super) fn variants(problem: &Problem) -> Vec<Problem> {
 /// Slope and drift by linear regression.
 fn regression(problem: &Problem, kinds: &[Kind]) -> Option<Vec<f64>> {
     let rows = &problem.rows;
-    let ends =
-        rows.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], row| [low.min(row.x), high.max(row.x)]);
+    let ends = judge::extent(rows.iter().map(|row| row.x));
     let span = ends[1] - ends[0];
     let far: Vec<_> = rows.iter().filter(|row| row.x <= ends[0] + FAR * span).collect();
     if far.len() < ROWS {

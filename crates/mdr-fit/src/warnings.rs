@@ -4,6 +4,7 @@ use mdr_core::contact::Shape;
 
 use super::answer::{Fit, FitStatus};
 use super::descents::Attempt;
+use super::judge;
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::observation::Observation;
@@ -110,16 +111,14 @@ const SATURATED: usize = 5;
 
 /// Warns of rows at which the detector seems to be at its end.
 pub(super) fn of_rows(fit: &mut Fit, problem: &Problem) {
-    let values = || problem.rows.iter().map(|row| row.y);
-    let ends = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
-    for end in ends {
+    for end in judge::extent(problem.rows.iter().map(|row| row.y)) {
         let longest =
             problem.rows.chunk_by(|one, other| one.y == other.y).filter(|run| run[0].y == end).map(<[_]>::len).max();
         if let Some(count) = longest.filter(|count| *count >= SATURATED) {
             fit.warnings.push(format!(
                 "{count} rows one after the other have y = {end:.4e} {}, the most extreme of all: a detector at its end? leave them out by \
                  saturation = [lowest, highest]",
-                problem.observation.units()[1]
+                problem.units()[1]
             ));
         }
     }
