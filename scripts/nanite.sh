@@ -4,20 +4,8 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-skip() {
-    echo "skipped: $1"
-    exit 0
-}
-
-command -v python3 >/dev/null || skip "there is no python3"
-python3 -c 'import sys; sys.exit(sys.version_info < (3, 10))' || skip "python3 is older than 3.10"
-environment=target/python-nanite
-python=$environment/bin/python
-[ -x "$python" ] || python3 -m venv "$environment" 2>/dev/null || skip "python3 has no venv: apt-get install python3-venv"
-packages="nanite==4.2.3 afmformats distributed pytest"
-# shellcheck disable=SC2086 # a list of packages
-"$python" -m pip install --quiet --disable-pip-version-check $packages ||
-    skip "pip cannot install $packages; there may be no network"
+. scripts/python_environment.sh
+python_environment python-nanite nanite==4.2.3 afmformats distributed pytest
 [ "${1:-}" = --install ] && exit 0
 
 wheel=$(ls target/wheels/mdr_contact-*.whl 2>/dev/null) || skip "there is no wheel: make python"
