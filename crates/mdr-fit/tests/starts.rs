@@ -2,51 +2,13 @@
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
 mod normal;
+mod tips;
 
-use mdr::prelude::*;
-use mdr_fit::{Fit, FitStatus, Leg, Observation, Problem};
+use mdr_fit::{FitStatus, Leg, Observation, Problem};
 use std::f64::consts::PI;
 
 use normal::Normal;
-
-/// g and its integral, by hand.
-type Formula = fn(f64) -> [f64; 2];
-
-/// A tip, and the largest contact radius that is seen.
-struct Tip {
-    shape: Shape<&'static str>,
-    formula: Formula,
-    widest: f64,
-}
-
-fn tips() -> Vec<Tip> {
-    let tip = |shape, formula, widest| Tip { shape, formula, widest };
-    vec![
-        tip(Shape::Paraboloid { radius: "1e-5" }, |x| [x * x / 1e-5, x.powi(3) / 3e-5], 6e-6),
-        tip(Shape::Cone { flank: Flank::Slope("0.4") }, |x| [0.2 * PI * x, 0.1 * PI * x * x], 3e-6),
-        tip(
-            Shape::Sphere { radius: "1e-5" },
-            |x| [x * (x / 1e-5).atanh(), 0.5 * (x * x - 1e-10) * (x / 1e-5).atanh() + 0.5e-5 * x],
-            5e-6,
-        ),
-        tip(
-            Shape::Hyperboloid { flank: Flank::Slope("0.36"), lateral: "1e-6" },
-            |x| [0.36 * x * (x / 1e-6).atan(), 0.18 * ((x * x + 1e-12) * (x / 1e-6).atan() - 1e-6 * x)],
-            3e-6,
-        ),
-        tip(
-            Shape::TruncatedParaboloid { radius: "1e-5", flat: "1e-6" },
-            |x| match x > 1e-6 {
-                true => [x / 1e-5 * (x * x - 1e-12).sqrt(), (x * x - 1e-12).powf(1.5) / 3e-5],
-                false => [0.0; 2],
-            },
-            6e-6,
-        ),
-    ]
-}
-
-const E_STAR: f64 = 2e6;
-const CONTACT_POINT: f64 = 1e-7;
+use tips::{CONTACT_POINT, E_STAR, Tip, estimate, tips};
 
 /// How a curve is recorded.
 #[derive(Clone, Copy, Debug)]
@@ -149,11 +111,6 @@ impl Record {
 
 const THREE: [&str; 3] = ["e_star", "work_of_adhesion", "contact_point"];
 const FOUR: [&str; 4] = ["e_star", "work_of_adhesion", "contact_point", "baseline"];
-
-fn estimate(fit: &Fit, name: &str) -> [f64; 2] {
-    let estimate = fit.estimate(name).unwrap();
-    [estimate.value.unwrap_or(f64::NAN), estimate.stderr.unwrap_or(f64::NAN)]
-}
 
 /// The fault of a fit of a curve, if there is one.
 fn fault(record: &Record, tip: &Tip, free: &[&str]) -> Option<String> {
