@@ -203,6 +203,15 @@ impl Error {
         Error::Undecided { quantity, bits: like.precision(), what }
     }
 
+    /// Arrays of the expected length.
+    ///
+    /// # Errors
+    /// [`Error::Length`] of the first that has another one.
+    pub fn require_length(expected: usize, lengths: impl IntoIterator<Item = (Quantity, usize)>) -> Result<()> {
+        let other = lengths.into_iter().find(|(_, len)| *len != expected);
+        other.map_or(Ok(()), |(quantity, len)| Err(Error::Length { quantity, len, expected }))
+    }
+
     /// Returns `value` if it is certainly positive and finite.
     ///
     /// # Errors

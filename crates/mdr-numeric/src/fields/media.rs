@@ -36,19 +36,7 @@ impl<R: Special> Fields<R> {
         if medium.is_half_space() {
             return Ok(None);
         }
-        let a = medium.contact_radius(&self.contact_radius);
-        let end = match medium {
-            Medium::Periodic { wavelength, .. } => wavelength.clone().over(2),
-            _ => r.clone(),
-        };
-        if !(*r > a && r.is_finite() && *r <= end) {
-            let requirement = if medium.period().is_some() {
-                "outside the contact, and within half of a period"
-            } else {
-                "finite and outside the contact"
-            };
-            return Err(Error::domain(Quantity::Radius, r, requirement));
-        }
+        let a = self.beside(r)?;
         let g = |x: &R| self.curve.transform().g_within(x, &self.negligible_here());
         match medium {
             Medium::Winkler { .. } => Ok(Some(Estimate::exact(g(r)? - &self.indentation))),
@@ -65,7 +53,7 @@ impl<R: Special> Fields<R> {
                 Ok(Some(whole.scaled(&(inverse_factor(exponent) / &power))))
             }
             Medium::Plane { .. } => self.line_gap(r).map(Some),
-            Medium::Periodic { modulus, wavelength } => self.periodic_gap(modulus, wavelength, r).map(Some),
+            Medium::Periodic { wavelength, .. } => self.periodic_gap(wavelength, r).map(Some),
             _ => Ok(None),
         }
     }
@@ -94,6 +82,17 @@ impl<R: Special> Fields<R> {
             Ok(depth * shape)
         })?;
         Ok(Some(whole.scaled(&(inverse_factor(exponent) / &power))))
+    }
+
+    /// The contact radius or half-width, for a radius outside it and on a periodic medium within half of a period.
+    fn beside(&self, r: &R) -> Result<R> {
+        let medium = self.curve.medium();
+        let a = medium.contact_radius(&self.contact_radius);
+        let (end, requirement) = match medium.period() {
+            Some(wavelength) => (wavelength.clone().over(2), "outside the contact, and within half of a period"),
+            None => (r.clone(), "finite and outside the contact"),
+        };
+        if *r > a && r.is_finite() && *r <= end { Ok(a) } else { Err(Error::domain(Quantity::Radius, r, requirement)) }
     }
 
     /// (c/π)[∫ᵣᵃ g'(x)(x² − r²)^((k−1)/2) dx − Δl(a² − r²)^((k−1)/2)]: in y² = x² − r² the integrand is g'/x yᵏ, in y^(1+k)
@@ -157,10 +156,7 @@ impl<R: Special> Fields<R> {
 
     /// d − (2λ/π)[∫ F₀' arcosh(sinX/√s) ds/s' − SΔl arcosh(sinX/√s)]/E* beside a strip, against the mean plane.
     fn periodic_displacement(&self, wavelength: &R, r: &R) -> Result<Estimate<R>> {
-        let a = self.curve.medium().contact_radius(&self.contact_radius);
-        if !(*r > a && r.clone().times(2) <= *wavelength) {
-            return Err(Error::domain(Quantity::Radius, r, "outside the contact, and within half of a period"));
-        }
+        self.beside(r)?;
         let sine = crate::medium::phase(r, wavelength).sin();
         let closed = self.closed(wavelength).sqrt();
         let bulk = tanh_sinh_pieces(&r.lit(0), &closed, &[], tolerance(r), |root| {
@@ -187,7 +183,7 @@ impl<R: Special> Fields<R> {
     }
 
     /// (2λ/π)[∫ F₀' arcosh(sinX/√s) ds/s' + SΔl arcosh(sinX/√s)]/E* beside a strip.
-    fn periodic_gap(&self, _modulus: &R, wavelength: &R, r: &R) -> Result<Estimate<R>> {
+    fn periodic_gap(&self, wavelength: &R, r: &R) -> Result<Estimate<R>> {
         let position = crate::medium::phase(r, wavelength);
         let (sine, cosine) = (position.sin(), position.cos());
         let closed = self.closed(wavelength);

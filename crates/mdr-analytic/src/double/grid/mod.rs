@@ -145,7 +145,7 @@ fn require_one_length(points: &Points<'_>, states: &States<'_>) -> Result<()> {
         Materials::One(_) => (expected, expected),
         Materials::Each { effective_modulus, work_of_adhesion } => (effective_modulus.len(), work_of_adhesion.len()),
     };
-    for (quantity, len) in [
+    let lengths = [
         (Quantity::Coefficient, points.coefficient.len()),
         (Quantity::EffectiveModulus, modulus),
         (Quantity::WorkOfAdhesion, work),
@@ -154,12 +154,8 @@ fn require_one_length(points: &Points<'_>, states: &States<'_>) -> Result<()> {
         (Quantity::Indentation, states.indentation.len()),
         (Quantity::Force, states.force.len()),
         (Quantity::Parameter("the status"), states.status.len()),
-    ] {
-        if len != expected {
-            return Err(Error::Length { quantity, len, expected });
-        }
-    }
-    Ok(())
+    ];
+    Error::require_length(expected, lengths)
 }
 
 /// The data of one call.

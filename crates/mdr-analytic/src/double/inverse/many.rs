@@ -67,17 +67,14 @@ impl Inverse {
     pub fn branches(&self, values: &[f64], branches: &mut InverseBatch<'_>) -> Result<BatchReport> {
         let InverseBatch { smaller, larger, status } = branches;
         let expected = values.len();
-        for (quantity, len) in [
+        let lengths = [
             (Quantity::ContactRadius, smaller.contact_radius.len()),
             (self.held.pick(Quantity::Force, Quantity::Indentation), smaller.uncontrolled.len()),
             (Quantity::ContactRadius, larger.contact_radius.len()),
             (self.held.pick(Quantity::Force, Quantity::Indentation), larger.uncontrolled.len()),
             (Quantity::Parameter("the status"), status.len()),
-        ] {
-            if len != expected {
-                return Err(Error::Length { quantity, len, expected });
-            }
-        }
+        ];
+        Error::require_length(expected, lengths)?;
         let mut tally = BatchReport::default();
         match self.better() {
             Some(constants) => self.path.run(Rows { inverse: self, constants, values, branches, tally: &mut tally }),

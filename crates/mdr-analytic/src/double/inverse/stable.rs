@@ -29,15 +29,12 @@ impl Inverse {
     /// [`Error::Length`] when slices differ in length. Failures at a value are reported by its status.
     pub fn stable(&self, values: &[f64], found: &mut BranchSlices<'_>, status: &mut [Status]) -> Result<BatchReport> {
         let expected = values.len();
-        for (quantity, len) in [
+        let lengths = [
             (Quantity::ContactRadius, found.contact_radius.len()),
             (self.held.pick(Quantity::Force, Quantity::Indentation), found.uncontrolled.len()),
             (Quantity::Parameter("the status"), status.len()),
-        ] {
-            if len != expected {
-                return Err(Error::Length { quantity, len, expected });
-            }
-        }
+        ];
+        Error::require_length(expected, lengths)?;
         let mut rows = Rows { inverse: self, values, found, status, report: BatchReport::default() };
         match self.better() {
             Some(constants) => Ok(self.path.run(Stable { constants, rows })),
