@@ -142,15 +142,6 @@ fn directions(data: &Diagram, held: &HeldCurve, Panel { x, y, .. }: &Panel) -> V
     layers
 }
 
-/// The unit of a force over a length.
-fn unit_of_stiffness(force: &str) -> &'static str {
-    match force {
-        "N" => "N/m",
-        "Pa" => "Pa/m",
-        _ => "Pa",
-    }
-}
-
 /// Events in a caption.
 const MOST_TOLD: usize = 40;
 
@@ -160,7 +151,7 @@ fn description(data: &Diagram) -> String {
         Control::Indentation => "controlled indentation".to_owned(),
         Control::Force => "controlled force".to_owned(),
         Control::Machine { stiffness } => {
-            format!("a machine of stiffness {stiffness} {}", unit_of_stiffness(data.force_unit))
+            format!("a machine of stiffness {stiffness} {}", data.stiffness_unit)
         }
     };
     let mut text = format!(

@@ -70,6 +70,8 @@ pub struct Diagram {
     medium: Medium<f64>,
     /// The unit of forces: N, or per length N/m, or per area Pa.
     pub force_unit: &'static str,
+    /// The unit of stiffnesses: N/m, or per length Pa, or per area Pa/m.
+    pub stiffness_unit: &'static str,
     /// The branches, by increasing radius; neighbours share the point of their fold.
     pub branches: Vec<Branch>,
     /// With two works of adhesion, the branches of an advancing edge: `branches` and all else are those of a receding one.
@@ -149,10 +151,11 @@ impl Scene {
 }
 
 impl Diagram {
-    /// The diagram by contact radii, where the sizes of contacts are others, and with the unit of its forces. A line contact
+    /// The diagram by contact radii, where the sizes of contacts are others, and with the units of its medium. A line contact
     /// without a reference has no depths: the depth of its states is F/E*.
     fn by_radius(mut self, scene: &Scene) -> Self {
         self.force_unit = scene.medium.force_unit();
+        self.stiffness_unit = scene.medium.unit_of_stiffness().symbol();
         if self.medium.period().is_none() {
             return self;
         }
@@ -170,22 +173,11 @@ impl Diagram {
         self
     }
 
-    /// Δl at a contact radius within the diagram: on a half-space, where it grows as √a, from any sample; else between two.
+    /// Δl at a contact radius, from that of a sample: how it grows is a matter of the medium alone.
     pub fn elongation_at(&self, contact_radius: f64) -> f64 {
-        let root = |sample: &CurveSample| sample.elongation * (contact_radius / sample.contact_radius).sqrt();
-        if self.medium.is_half_space() {
-            return self.samples().next_back().map_or(f64::NAN, root);
-        }
-        let next = self.samples().find(|sample| sample.contact_radius >= contact_radius);
-        let last = self.samples().rfind(|sample| sample.contact_radius <= contact_radius);
-        match (last, next) {
-            (Some(last), Some(next)) if next.contact_radius > last.contact_radius => {
-                let share = (contact_radius - last.contact_radius) / (next.contact_radius - last.contact_radius);
-                last.elongation + share * (next.elongation - last.elongation)
-            }
-            (Some(only), _) | (_, Some(only)) => only.elongation,
-            (None, None) => f64::NAN,
-        }
+        let of_unit_work = |radius: &f64| self.medium.elongation(&1.0, &self.medium.size(radius));
+        let ratio = |sample: &CurveSample| of_unit_work(&contact_radius) / of_unit_work(&sample.contact_radius);
+        self.samples().next_back().map_or(f64::NAN, |sample| sample.elongation * ratio(sample))
     }
 
     /// The points of the curve of equilibria by increasing radius; the radius of a fold comes twice, once on each branch.
@@ -263,6 +255,7 @@ impl Diagram {
             effective_modulus: *curve.modulus(),
             medium: curve.medium().clone(),
             force_unit: "N",
+            stiffness_unit: "N/m",
             branches: cut(branches, &nodes, &all),
             advancing: Vec::new(),
             wall: wall(curve, upper)?,
