@@ -68,7 +68,9 @@ def path_of(scene: dict[str, Any], samples: int) -> LoadingPath:
     curve: dict[str, Floats] = {name: np.array([_or_zero(row.get(name)) for row in answer["force-curve"]]) for name in names}
     balance = answer.balance or {}
     lost = sum(event.dissipated for event in events)
-    total = {name: _or_nan(balance.get(name)) for name in ("work", "stored")} if balance else {"work": lost, "stored": math.nan}
+    work, dissipated, stored = (
+        tuple(_or_nan(balance.get(name)) for name in ("work", "dissipated", "stored")) if balance else (lost, lost, math.nan)
+    )
     held = "position" if scene["control"]["kind"] == "machine" else scene["control"]["kind"]
     return LoadingPath(
         events,
@@ -76,9 +78,9 @@ def path_of(scene: dict[str, Any], samples: int) -> LoadingPath:
         curve["indentation"],
         curve["force"],
         curve["position"] if held == "position" else None,
-        total["work"],
-        _or_nan(balance.get("dissipated")) if balance else lost,
-        total["stored"],
+        work,
+        dissipated,
+        stored,
         held,
     )
 
