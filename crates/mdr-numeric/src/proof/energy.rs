@@ -64,20 +64,20 @@ impl<'a> EnclosedEnergy<'a> {
     ///
     /// # Errors
     /// [`EnclosedEnergy::potential`].
-    pub fn stored(&self, states: &[&ContactState<Interval>]) -> Result<Vec<Option<EnergySum>>> {
+    pub fn stored(&self, states: &[&ContactState<Interval>]) -> Result<Vec<Option<StoredEnergy>>> {
         let radii: Vec<Interval> =
             states.iter().filter_map(|state| Some(extended(state)?.contact_radius.clone())).collect();
         let mut squares = self.squares(&radii)?.into_iter();
         let of = |state: &&ContactState<Interval>| match (extended(state), state) {
             (_, ContactState::Complete) => Ok(None),
-            (None, _) => Ok(Some(EnergySum(None))),
+            (None, _) => Ok(Some(StoredEnergy(None))),
             (Some(rest), _) => {
                 let square = squares.next().unwrap_or_else(|| Interval::entire(rest.contact_radius.ctx()));
                 let mut energy = self.with_square(&rest.contact_radius, &rest.indentation, &square)?;
                 if let Control::Machine { stiffness } = self.contact.control() {
                     energy += &(rest.force.square() / stiffness).over(2);
                 }
-                Ok(Some(EnergySum::from(energy)))
+                Ok(Some(StoredEnergy::from(energy)))
             }
         };
         states.iter().map(of).collect()
@@ -153,17 +153,17 @@ impl<'a> EnclosedEnergy<'a> {
     }
 }
 
-/// A sum of energies, in J: exactly nothing where all its terms are.
+/// The energy stored in a state, or a sum of such, in J: exactly nothing where all its terms are.
 #[derive(Clone, Debug, Default)]
-pub struct EnergySum(Option<Interval>);
+pub struct StoredEnergy(Option<Interval>);
 
-impl From<Interval> for EnergySum {
+impl From<Interval> for StoredEnergy {
     fn from(energy: Interval) -> Self {
-        EnergySum(Some(energy))
+        StoredEnergy(Some(energy))
     }
 }
 
-impl EnergySum {
+impl StoredEnergy {
     /// The sum, `None` where it is exactly nothing.
     pub fn energy(&self) -> Option<&Interval> {
         self.0.as_ref()
@@ -171,8 +171,8 @@ impl EnergySum {
 
     /// The sum with the terms of another one.
     #[must_use]
-    pub fn plus(self, other: &EnergySum) -> EnergySum {
-        EnergySum(match (self.0, &other.0) {
+    pub fn plus(self, other: &StoredEnergy) -> StoredEnergy {
+        StoredEnergy(match (self.0, &other.0) {
             (Some(one), Some(other)) => Some(one + other),
             (one, other) => one.or_else(|| other.clone()),
         })
@@ -180,8 +180,8 @@ impl EnergySum {
 
     /// The sum without the terms of another one.
     #[must_use]
-    pub fn minus(self, other: &EnergySum) -> EnergySum {
-        self.plus(&EnergySum(other.0.clone().map(|energy| -energy)))
+    pub fn minus(self, other: &StoredEnergy) -> StoredEnergy {
+        self.plus(&StoredEnergy(other.0.clone().map(|energy| -energy)))
     }
 }
 

@@ -20,7 +20,7 @@ mod range;
 
 pub use branches::ProvedBranches;
 pub use continuation::Continuation;
-pub use energy::{EnclosedEnergy, EnergySum};
+pub use energy::{EnclosedEnergy, StoredEnergy};
 pub use fields::EnclosedFields;
 pub use range::range;
 

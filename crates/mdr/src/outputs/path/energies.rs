@@ -8,7 +8,7 @@ use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::path::{ContactState, Event, EventKind, Path};
-use mdr_numeric::proof::{Continuation, EnclosedEnergy, EnergySum};
+use mdr_numeric::proof::{Continuation, EnclosedEnergy, StoredEnergy};
 use rug::Rational;
 
 use super::{Balance, Dissipation, PathEvent, PathNumbers, changes};
@@ -32,7 +32,7 @@ pub(super) fn of_path(
         finite.iter().flat_map(|event| [&event.before, &event.after]).chain(ends).collect();
     let mut stored = energy.stored(&states)?.into_iter();
     let mut next = || stored.next().flatten();
-    let mut total = Some(EnergySum::default());
+    let mut total = Some(StoredEnergy::default());
     let mut events = Vec::new();
     for event in &path.events {
         let dissipated = if !changes(event.kind) {
@@ -50,7 +50,7 @@ pub(super) fn of_path(
     }
     let [first, last] = [next(), next()];
     let balance = total.zip(first.zip(last)).map(|(dissipated, (first, last))| {
-        let stored = if returns(path, way) { EnergySum::default() } else { last.minus(&first) };
+        let stored = if returns(path, way) { StoredEnergy::default() } else { last.minus(&first) };
         let work = dissipated.clone().plus(&stored);
         let [work, dissipated, stored] = [work, dissipated, stored].map(value);
         Balance { work, dissipated, stored, jumps: Optional(None), hysteresis: Optional(None) }
@@ -59,7 +59,7 @@ pub(super) fn of_path(
     Ok(PathNumbers { events, balance: balance.filter(|_| !lost_track) })
 }
 
-fn value(sum: EnergySum) -> Value<Enclosure> {
+fn value(sum: StoredEnergy) -> Value<Enclosure> {
     Value::Known(sum.energy().map_or_else(|| Rational::new().into(), |energy| energy.clone().into()))
 }
 
@@ -70,12 +70,12 @@ fn is_unbounded(event: &Event<Interval>, contact: &Contact<Interval>) -> bool {
 }
 
 /// F(d₂ − d₁) of a dead load between two contacts; where the surfaces are apart on one side it is 0.
-fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> EnergySum {
+fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> StoredEnergy {
     match (contact.control(), event.before.contact(), event.after.contact()) {
         (Control::Force, Some(before), Some(after)) => {
             ((after.indentation.clone() - &before.indentation) * &event.value).into()
         }
-        _ => EnergySum::default(),
+        _ => StoredEnergy::default(),
     }
 }
 
