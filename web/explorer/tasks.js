@@ -1,31 +1,47 @@
 // Guided tasks: predict first, then play and measure.
 
-/** Name, index of a preset, parameters beside it, the value to begin at, where the control goes, the event that is asked for, and
- * the question. The quantity that is guessed is the value of the control at the event. */
+/** A preset with parameters beside it, the value to begin at, and the end of the range to which the control goes. The quantity that is
+ * guessed is the value of the control at the first event of these kinds, or at the last one. */
 const TASKS = [
-  ['JKR', 0, {}, 0.25, 'low', ['detached'], 'The ball is pulled up. At which depth does it let go?'],
-  ['Depth or weight', 3, {}, 0.3, 'low', ['detached'], 'Now a weight pulls, and not a grip. At which force does it let go?'],
-  ['Through n = ½', 1, { n: 0.3 }, -0.3, 'high', ['complete'], 'An exponent of 0.3 is pressed, from apart. At which depth do the surfaces come into complete contact?'],
-  ['Sharp tip', 2, {}, 0.12, 'high', ['complete'], 'Pressed further, this tip suddenly sinks in. At which depth?'],
-  ['Three folds', 4, {}, -0.02, 'high', ['jump', 'jump-in'], 'The machine presses. At which of its positions does the contact jump for the last time on the way in?'],
-  ['Waves', 5, {}, 0, 'low', ['jump', 'detached'], 'Pulled off a wavy ball, the contact first jumps from crest to crest. At which depth does that begin?'],
+  {
+    name: 'JKR', number: 0, from: 0.25, to: 'low', kinds: ['detached'],
+    question: 'The ball is pulled up. At which depth does it let go?',
+  },
+  {
+    name: 'Depth or weight', number: 3, from: 0.3, to: 'low', kinds: ['detached'],
+    question: 'Now a weight pulls, and not a grip. At which force does it let go?',
+  },
+  {
+    name: 'Through n = ½', number: 1, parameters: { n: 0.3 }, from: -0.3, to: 'high', kinds: ['complete'],
+    question: 'An exponent of 0.3 is pressed, from apart. At which depth do the surfaces come into complete contact?',
+  },
+  {
+    name: 'Sharp tip', number: 2, from: 0.12, to: 'high', kinds: ['complete'],
+    question: 'Pressed further, this tip suddenly sinks in. At which depth?',
+  },
+  {
+    name: 'Three folds', number: 4, from: -0.02, to: 'high', kinds: ['jump', 'jump-in'], last: true,
+    question: 'The machine presses. At which of its positions does the contact jump for the last time on the way in?',
+  },
+  {
+    name: 'Waves', number: 5, from: 0, to: 'low', kinds: ['jump', 'detached'],
+    question: 'Pulled off a wavy ball, the contact first jumps from crest to crest. At which depth does that begin?',
+  },
 ];
-/** Tasks that ask for the last event of their kind, not for the first. */
-const LAST = new Set([4]);
 let task = -1;
 const done = new Set();
 
 function openTask(index) {
-  const [, number, parameters, from, , , question] = TASKS[index];
+  const { name, number, parameters, from, question } = TASKS[index];
   task = index;
   preset(number);
-  if (Object.keys(parameters).length) change(parameters);
+  if (parameters) change(parameters);
   value = within(from, range);
   S = settle(from < 0 && P.control === 'd' && P.n < 0.5 ? 'detached' : origin.start);
   clearTrail();
   origin = { value, start: origin.start };
   $('tasks').hidden = false;
-  $('task-text').textContent = `Task ${index + 1} of ${TASKS.length}, ${TASKS[index][0]}. ${question} Drag your guess.`;
+  $('task-text').textContent = `Task ${index + 1} of ${TASKS.length}, ${name}. ${question} Drag your guess.`;
   $('task-answer').textContent = '';
   const guess = $('guess');
   set(guess, { min: range[0], max: range[1] });
@@ -41,11 +57,11 @@ function showGuess() {
 }
 /** Moves the control to the end of the task; what the guess was off by. */
 function measure() {
-  const [, , , , end, kinds] = TASKS[task];
+  const { to: end, kinds, last } = TASKS[task];
   const to = end === 'low' ? range[0] : range[1];
   const events = engine.advance(S.kind === 1 ? S.a : -1, value, to) || [];
   const found = events.filter(([number]) => kinds.includes(KINDS[number]));
-  const event = LAST.has(task) ? found[found.length - 1] : found[0];
+  const event = last ? found[found.length - 1] : found[0];
   remember('task');
   note = '';
   move(to);
