@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 const CRATE: &str = "each crate has its own error and result, as is usual in Rust";
 const DATA: &str = "mdr-reference stands alone, and has the vocabulary of records and judgements for other programs";
 const ALGEBRA: &str = "mdr-symbolic stands alone; its expressions are those of an algebra, its verdicts those of steps";
-const DOUBLE: &str = "mdr::double mirrors the answers of scenes in f64, and Python and C have these names";
+const COLUMNS: &str = "mdr::columns mirrors the answers of scenes in f64, and Python and C have these names";
 const DOOR: &str =
     "the library restates what its parts compute: inputs with places and exact numbers, outputs with promises";
 const WING: &str = "the two wings and the library answer one question, and never meet";
@@ -23,20 +23,18 @@ const LATER: &str = "to be renamed";
 const SHARED: &[(&str, usize, &str)] = &[
     ("Answer", 3, DATA),
     ("Claim", 2, DATA),
-    ("Contact", 3, DOUBLE),
     ("Decimal", 2, DATA),
     ("Dissipation", 2, DOOR),
     ("Equilibria", 3, WING),
     ("Error", 4, CRATE),
-    ("Event", 2, DOUBLE),
+    ("Event", 2, COLUMNS),
     ("Expression", 2, ALGEBRA),
     ("Family", 2, DATA),
     ("Formula", 2, ALGEBRA),
     ("Function", 2, ALGEBRA),
     ("Ladder", 2, LATER),
-    ("LoadingPath", 2, DOUBLE),
+    ("LoadingPath", 2, COLUMNS),
     ("Mark", 2, DATA),
-    ("Medium", 2, DOOR),
     ("Node", 2, LATER),
     ("Outcome", 2, LATER),
     ("Path", 2, LATER),
@@ -48,9 +46,8 @@ const SHARED: &[(&str, usize, &str)] = &[
     ("Row", 2, LATER),
     ("Rule", 2, LATER),
     ("Scene", 2, DOOR),
-    ("Start", 2, DOOR),
-    ("State", 2, DOUBLE),
-    ("States", 2, DOUBLE),
+    ("State", 2, COLUMNS),
+    ("States", 2, COLUMNS),
     ("Status", 2, DATA),
     ("Table", 2, DATA),
     ("Value", 2, LATER),

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use maud::{Markup, PreEscaped, html};
-use mdr::double::{self, Contact, States};
+use mdr::columns::{ContactColumns, States};
 use mdr::prelude::*;
 
 use crate::error::{Error, Result};
@@ -81,7 +81,7 @@ struct Cycle {
 fn cycle() -> mdr::Result<Cycle> {
     let material = Elasticity::effective("1")?;
     let scene = Scene::new(Shape::Paraboloid { radius: 1.0 }, material, (1.0 / TAU).exact()?)?
-        .arithmetic(Arithmetic::Double)
+        .arithmetic(Arithmetic::F64)
         .path(["-0.7", "1.2", "-0.7"])?
         .start(Start::Detached);
     let diagram = scene.diagram()?;
@@ -90,8 +90,7 @@ fn cycle() -> mdr::Result<Cycle> {
     });
     let depth = |frame: u32| DEPTHS[0] + (DEPTHS[1] - DEPTHS[0]) * f64::from(frame) / f64::from(FRAMES);
     let depths: Vec<f64> = (0..=FRAMES).chain((0..FRAMES).rev()).map(depth).collect();
-    let history =
-        Contact::new(&scene)?.follow(&Control::Indentation, &depths, &double::Start::Detached, &Stop::default())?;
+    let history = ContactColumns::new(&scene)?.follow(&Control::Indentation, &depths, &Start::Detached)?;
     let States { contact_radius, force, .. } = history.states;
     let frames = depths.iter().zip(contact_radius.iter().zip(&force)).map(|(d, (a, force))| [*d, *a, *force]);
     Ok(Cycle { frames: frames.collect(), branches: branches.collect() })

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use mdr::double::{Contact, Start};
+use mdr::columns::ContactColumns;
 use mdr::prelude::*;
 use mdr::{ContactError, Error, scene};
 use mdr_core::contact::{Profile as Heights, Quantity, Transform};
@@ -17,12 +17,11 @@ type Rows<const N: usize> = Result<Vec<[f64; N]>, Error>;
 
 /// The contact that the page shows.
 pub(crate) struct Engine {
-    contact: Contact,
+    contact: ContactColumns,
     control: Control<f64>,
     profile: Profile,
     /// For the gap, which needs g at more radii than can be computed for every frame.
     sampled: RefCell<Option<Sampled>>,
-    stop: Stop,
 }
 
 /// The heights f(r), for the picture of the body and for the independent route.
@@ -52,11 +51,10 @@ impl Engine {
         };
         let control = scene.controlled().try_map(|stiffness| Ok::<_, Error>(stiffness.nearest_f64()))?;
         Ok(Engine {
-            contact: Contact::new(&scene)?,
+            contact: ContactColumns::new(&scene)?,
             control,
             profile,
             sampled: RefCell::default(),
-            stop: Stop::default(),
         })
     }
 
@@ -65,7 +63,7 @@ impl Engine {
             let kind = f64::from(u8::from(fold.kind == FoldKind::Maximum));
             [fold.contact_radius, fold.indentation, fold.force, kind]
         };
-        Ok(self.contact.folds(&self.control, &self.stop)?.into_iter().map(row).collect())
+        Ok(self.contact.folds(&self.control)?.into_iter().map(row).collect())
     }
 
     pub(crate) fn outer_radius(&self) -> f64 {
@@ -77,9 +75,9 @@ impl Engine {
     }
 
     pub(crate) fn curve(&self, radii: &[f64]) -> Rows<6> {
-        let [g, ..] = self.contact.transform(radii, &self.stop)?;
-        let states = self.contact.curve(radii, &self.stop)?;
-        let stability = self.contact.stability(&self.control, radii, &self.stop)?;
+        let [g, ..] = self.contact.transform(radii)?;
+        let states = self.contact.curve(radii)?;
+        let stability = self.contact.stability(&self.control, radii)?;
         let row = |i: usize| {
             let [d, force] = [states.indentation[i], states.force[i]];
             let stable = f64::from(u8::from(stability[i] == Some(Stability::Stable)));
@@ -89,7 +87,7 @@ impl Engine {
     }
 
     pub(crate) fn balance(&self, value: f64, radii: &[f64]) -> Rows<4> {
-        let balance = self.contact.balance(&self.control, value, radii, &self.stop)?;
+        let balance = self.contact.balance(&self.control, value, radii)?;
         let row = |i: usize| [radii[i], balance.excess[i], balance.elongation[i], balance.indentation[i]];
         Ok((0..radii.len()).map(row).filter(known).collect())
     }
@@ -109,12 +107,12 @@ impl Engine {
             };
             [state.contact_radius, d, force, sign]
         };
-        Ok(self.contact.equilibria_at(&self.control, value, &self.stop)?.into_iter().map(row).collect())
+        Ok(self.contact.equilibria_at(&self.control, value)?.into_iter().map(row).collect())
     }
 
     pub(crate) fn advance(&self, a: f64, from: f64, to: f64) -> Rows<9> {
         let start = if a < 0.0 { Start::Detached } else { Start::Nearest(a) };
-        let history = self.contact.follow(&self.control, &[from, to], &start, &self.stop)?;
+        let history = self.contact.follow(&self.control, &[from, to], &start)?;
         let mut rows: Vec<[f64; 9]> = Vec::new();
         for event in &history.jumps {
             let [before, after] = [event.before, event.after].map(|s| [s.contact_radius, s.indentation, s.force]);
@@ -146,7 +144,7 @@ impl Engine {
     fn gaps(&self, a: f64, d: f64, high: f64, radii: &[f64]) -> Result<Vec<f64>, Error> {
         let mut sampled = self.sampled.borrow_mut();
         if sampled.as_ref().is_none_or(|sampled| sampled.high() != high) {
-            let [g, ..] = self.contact.transform(&Sampled::radii(high)?, &self.stop)?;
+            let [g, ..] = self.contact.transform(&Sampled::radii(high)?)?;
             *sampled = Some(Sampled::new(high, g));
         }
         let g = sampled.as_ref().map(|sampled| move |x| sampled.at(x));
@@ -162,7 +160,7 @@ impl Engine {
     }
 
     pub(crate) fn verify(&self, a: f64) -> Result<[f64; 3], Error> {
-        let [g, ..] = self.contact.transform(&[a], &self.stop)?;
+        let [g, ..] = self.contact.transform(&[a])?;
         let quadrature = match &self.profile {
             Profile::Shape(shape) => Quadrature::new(shape.clone()).g(&a)?,
             Profile::Table(table) => Quadrature::new(table.clone()).g(&a)?,
@@ -176,7 +174,7 @@ impl Engine {
 /// κ_n, as the transform of xⁿ at 1.
 pub(crate) fn kappa(n: f64) -> Result<f64, Error> {
     let law = Scene::new(Shape::Power { n, c: 1.0 }, Elasticity::effective(1)?, 1)?;
-    let [g, ..] = Contact::new(&law)?.transform(&[1.0], &Stop::default())?;
+    let [g, ..] = ContactColumns::new(&law)?.transform(&[1.0])?;
     Ok(g.first().copied().unwrap_or(f64::NAN))
 }
 

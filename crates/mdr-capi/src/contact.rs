@@ -2,19 +2,19 @@
 
 use std::ffi::c_int;
 
-use mdr::double::{self, Choice, Start, States};
-use mdr::prelude::{Control, FoldKind, Stability, Stop};
+use mdr::columns::{Choice, ContactColumns, States};
+use mdr::prelude::{Control, FoldKind, Stability, Start};
 
 use crate::border::{Result, behind, free, guarded, handle, values, write};
 use crate::scene::Scene;
 use crate::{DONE, FAILED, code};
 
 /// Profile and material of a scene in doubles.
-pub struct Contact(double::Contact);
+pub struct ContactHandle(ContactColumns);
 
 const _: fn() = || {
     fn shared<T: Send + Sync>() {}
-    shared::<Contact>();
+    shared::<ContactHandle>();
     shared::<Scene>();
 };
 
@@ -23,11 +23,11 @@ const _: fn() = || {
 /// # Safety
 /// `scene` is null, or a scene that is not freed meanwhile.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mdr_contact_new(scene: *const Scene) -> *mut Contact {
+pub unsafe extern "C" fn mdr_contact_new(scene: *const Scene) -> *mut ContactHandle {
     guarded(std::ptr::null_mut(), || {
         // SAFETY: by the contract of this function, for as long as it runs.
         let Scene(scene) = unsafe { behind(scene, "scene") }?;
-        double::Contact::new(scene).map(|contact| handle(Contact(contact))).map_err(|error| error.to_string())
+        ContactColumns::new(scene).map(|contact| handle(ContactHandle(contact))).map_err(|error| error.to_string())
     })
 }
 
@@ -36,7 +36,7 @@ pub unsafe extern "C" fn mdr_contact_new(scene: *const Scene) -> *mut Contact {
 /// # Safety
 /// `contact` is null, or from [`mdr_contact_new`], not yet freed, and not in use.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn mdr_contact_free(contact: *mut Contact) {
+pub unsafe extern "C" fn mdr_contact_free(contact: *mut ContactHandle) {
     // SAFETY: by the contract of this function.
     unsafe { free(contact) };
 }
@@ -72,14 +72,14 @@ impl Columns {
     /// room for `count`.
     unsafe fn answer(
         self,
-        contact: *const Contact,
+        contact: *const ContactHandle,
         values: *const f64,
         count: usize,
-        ask: impl FnOnce(&double::Contact, &[f64]) -> Result<States>,
+        ask: impl FnOnce(&ContactColumns, &[f64]) -> Result<States>,
     ) -> c_int {
         guarded(FAILED, || {
             // SAFETY: by the contract of this function, for as long as it runs.
-            let Contact(contact) = unsafe { behind(contact, "contact") }?;
+            let ContactHandle(contact) = unsafe { behind(contact, "contact") }?;
             // SAFETY: by the contract of this function, until the columns are written.
             let values = unsafe { self::values(values, count, "values") }?;
             let states = ask(contact, values)?;
@@ -108,7 +108,7 @@ fn control_of(kind: c_int, stiffness: f64) -> Result<Control<f64>> {
 /// for `count`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mdr_states(
-    contact: *const Contact,
+    contact: *const ContactHandle,
     control: c_int,
     stiffness: f64,
     choice: c_int,
@@ -119,14 +119,14 @@ pub unsafe extern "C" fn mdr_states(
     force: *mut f64,
     status: *mut c_int,
 ) -> c_int {
-    let ask = |contact: &double::Contact, values: &[f64]| {
+    let ask = |contact: &ContactColumns, values: &[f64]| {
         let choice = match choice {
             0 => Choice::Largest,
             1 => Choice::Smallest,
             _ => return Err(format!("choice {choice} is none of 0 (largest), 1 (smallest)")),
         };
         let control = control_of(control, stiffness)?;
-        contact.states(&control, values, choice, &Stop::default()).map_err(|error| error.to_string())
+        contact.states(&control, values, choice).map_err(|error| error.to_string())
     };
     let columns = Columns { contact_radius, indentation, force, status };
     // SAFETY: by the contract of this function.
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn mdr_states(
 /// for `count`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mdr_follow(
-    contact: *const Contact,
+    contact: *const ContactHandle,
     control: c_int,
     stiffness: f64,
     start: c_int,
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn mdr_follow(
     force: *mut f64,
     status: *mut c_int,
 ) -> c_int {
-    let ask = |contact: &double::Contact, values: &[f64]| {
+    let ask = |contact: &ContactColumns, values: &[f64]| {
         let start = match start {
             0 => Start::Largest,
             1 => Start::Smallest,
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn mdr_follow(
             _ => return Err(format!("start {start} is none of 0 (largest), 1 (smallest), 2 (detached)")),
         };
         let control = control_of(control, stiffness)?;
-        let history = contact.follow(&control, values, &start, &Stop::default()).map_err(|error| error.to_string())?;
+        let history = contact.follow(&control, values, &start).map_err(|error| error.to_string())?;
         Ok(history.states)
     };
     let columns = Columns { contact_radius, indentation, force, status };
@@ -175,7 +175,7 @@ pub unsafe extern "C" fn mdr_follow(
 /// for `count`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mdr_curve(
-    contact: *const Contact,
+    contact: *const ContactHandle,
     radii: *const f64,
     count: usize,
     indentation: *mut f64,
@@ -184,10 +184,10 @@ pub unsafe extern "C" fn mdr_curve(
 ) -> c_int {
     guarded(FAILED, || {
         // SAFETY: by the contract of this function, for as long as it runs.
-        let Contact(contact) = unsafe { behind(contact, "contact") }?;
+        let ContactHandle(contact) = unsafe { behind(contact, "contact") }?;
         // SAFETY: by the contract of this function, until the columns are written.
         let radii = unsafe { values(radii, count, "radii") }?;
-        let states = contact.curve(radii, &Stop::default()).map_err(|error| error.to_string())?;
+        let states = contact.curve(radii).map_err(|error| error.to_string())?;
         let contact_radius = std::ptr::null_mut();
         // SAFETY: by the contract of this function.
         unsafe { Columns { contact_radius, indentation, force, status }.fill(&states) };
@@ -203,7 +203,7 @@ pub unsafe extern "C" fn mdr_curve(
 /// `count`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mdr_stability(
-    contact: *const Contact,
+    contact: *const ContactHandle,
     control: c_int,
     stiffness: f64,
     radii: *const f64,
@@ -212,11 +212,11 @@ pub unsafe extern "C" fn mdr_stability(
 ) -> c_int {
     guarded(FAILED, || {
         // SAFETY: by the contract of this function, for as long as it runs.
-        let Contact(contact) = unsafe { behind(contact, "contact") }?;
+        let ContactHandle(contact) = unsafe { behind(contact, "contact") }?;
         // SAFETY: by the contract of this function, until the column is written.
         let radii = unsafe { values(radii, count, "radii") }?;
         let control = control_of(control, stiffness)?;
-        let found = contact.stability(&control, radii, &Stop::default()).map_err(|error| error.to_string())?;
+        let found = contact.stability(&control, radii).map_err(|error| error.to_string())?;
         let found = found.iter().map(|stability| match stability {
             Some(Stability::Stable) => 1,
             Some(Stability::Neutral) => 0,
@@ -237,7 +237,7 @@ pub unsafe extern "C" fn mdr_stability(
 /// `contact` is null, or a contact that is not freed meanwhile; each column is null, or has room for `capacity`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mdr_folds(
-    contact: *const Contact,
+    contact: *const ContactHandle,
     control: c_int,
     stiffness: f64,
     capacity: usize,
@@ -248,9 +248,9 @@ pub unsafe extern "C" fn mdr_folds(
 ) -> isize {
     guarded(-1, || {
         // SAFETY: by the contract of this function, for as long as it runs.
-        let Contact(contact) = unsafe { behind(contact, "contact") }?;
+        let ContactHandle(contact) = unsafe { behind(contact, "contact") }?;
         let control = control_of(control, stiffness)?;
-        let folds = contact.folds(&control, &Stop::default()).map_err(|error| error.to_string())?;
+        let folds = contact.folds(&control).map_err(|error| error.to_string())?;
         let shown = &folds[..folds.len().min(capacity)];
         let radii: Vec<f64> = shown.iter().map(|fold| fold.contact_radius).collect();
         let depths: Vec<f64> = shown.iter().map(|fold| fold.indentation).collect();
@@ -274,7 +274,7 @@ pub unsafe extern "C" fn mdr_folds(
 /// `contact` is null, or a contact that is not freed meanwhile; each pointer is null, or has room for one number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn mdr_pull_off(
-    contact: *const Contact,
+    contact: *const ContactHandle,
     control: c_int,
     stiffness: f64,
     contact_radius: *mut f64,
@@ -283,9 +283,9 @@ pub unsafe extern "C" fn mdr_pull_off(
 ) -> c_int {
     guarded(FAILED, || {
         // SAFETY: by the contract of this function, for as long as it runs.
-        let Contact(contact) = unsafe { behind(contact, "contact") }?;
+        let ContactHandle(contact) = unsafe { behind(contact, "contact") }?;
         let control = control_of(control, stiffness)?;
-        let state = contact.pull_off(&control, &Stop::default()).map_err(|error| error.to_string())?;
+        let state = contact.pull_off(&control).map_err(|error| error.to_string())?;
         // SAFETY: by the contract of this function.
         unsafe { write(&[state.contact_radius], contact_radius) };
         // SAFETY: by the contract of this function.

@@ -15,7 +15,7 @@ use std::ffi::{CStr, c_char, c_int};
 use mdr::prelude::Status;
 
 pub use contact::{
-    Contact, mdr_contact_free, mdr_contact_new, mdr_curve, mdr_folds, mdr_follow, mdr_pull_off, mdr_stability,
+    ContactHandle, mdr_contact_free, mdr_contact_new, mdr_curve, mdr_folds, mdr_follow, mdr_pull_off, mdr_stability,
     mdr_states,
 };
 pub use scene::{Scene, mdr_scene_free, mdr_scene_open, mdr_scene_read, mdr_scene_solve, mdr_text_free};

@@ -69,7 +69,7 @@ fn solved(scene: &mdr::Scene, digits: c_int) -> Result<String> {
     let arithmetic = match u32::try_from(digits) {
         Ok(0) => None,
         Ok(digits) => Some(Arithmetic::Certified { digits }),
-        Err(_) => Some(Arithmetic::Double),
+        Err(_) => Some(Arithmetic::F64),
     };
     let scene = scene.clone().in_arithmetic(arithmetic);
     let answer = scene.solve_with(&mut Run::new(&mut (), Stop::default()));

@@ -101,7 +101,7 @@ impl ArithmeticFlags {
         match (Flag::given("--digits", &self.digits), self.f64) {
             (Some(flag), true) => Err(flag.refuse("cannot be combined with --f64")),
             (Some(flag), false) => Ok(Some(Arithmetic::Certified { digits: flag.digits()? })),
-            (None, true) => Ok(Some(Arithmetic::Double)),
+            (None, true) => Ok(Some(Arithmetic::F64)),
             (None, false) => Ok(None),
         }
     }

@@ -11,7 +11,7 @@ use mdr_numeric::medium::Adhesion;
 
 use super::observation::Observation;
 use super::problem::{DataRow, Kind, Problem};
-use mdr::scene::Medium;
+use mdr::scene::ExactMedium;
 
 /// The numbers of a problem in one arithmetic.
 #[derive(Clone, Debug)]
@@ -111,7 +111,7 @@ type DualTransform<R> = Arc<dyn Transform<Dual<R>>>;
 
 /// A profile for one set of its numbers: its transform, and the data for derivatives.
 pub(super) struct Tip<R: Real> {
-    medium: Medium,
+    medium: ExactMedium,
     /// The medium with a modulus of one.
     unit: mdr_numeric::medium::Medium<R>,
     /// g and its relatives, for the medium.
@@ -209,7 +209,7 @@ struct Springs<R> {
 impl<R: Special> Springs<R> {
     /// # Errors
     /// A number out of its domain.
-    fn new(medium: &Medium, numbers: &Numbers<R>, a: &R) -> Result<Self> {
+    fn new(medium: &ExactMedium, numbers: &Numbers<R>, a: &R) -> Result<Self> {
         let Numbers { e_star, work, .. } = numbers;
         if medium.is_half_space() {
             let elongation = (a.pi().times(2) * a * work / e_star).sqrt();

@@ -46,7 +46,7 @@ impl Observation {
     }
 
     /// The units of X and Y on a medium, where forces may be per length.
-    pub(super) fn units_on(self, medium: &mdr::scene::Medium) -> [&'static str; 2] {
+    pub(super) fn units_on(self, medium: &mdr::scene::ExactMedium) -> [&'static str; 2] {
         self.units().map(|unit| if unit == "N" { medium.force_unit() } else { unit })
     }
 

@@ -12,7 +12,7 @@ use super::select::Selection;
 use super::text::CurveText;
 use mdr::Result;
 use mdr::reading::Location;
-use mdr::scene::{IntoProfile, Medium, Profile};
+use mdr::scene::{ExactMedium, IntoProfile, Profile};
 
 /// One row of the data, in SI units.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +40,7 @@ pub(super) struct Moment {
 #[derive(Clone, Debug)]
 pub struct Problem {
     pub(super) profile: Profile,
-    pub(super) medium: Medium,
+    pub(super) medium: ExactMedium,
     pub(super) observation: Observation,
     pub(super) parameters: Vec<Parameter>,
     pub(super) rows: Vec<DataRow>,
@@ -121,7 +121,7 @@ impl Problem {
         number_repeated_names(&mut parameters);
         Ok(Problem {
             profile,
-            medium: Medium::HalfSpace,
+            medium: ExactMedium::HalfSpace,
             observation,
             parameters,
             rows,
@@ -143,7 +143,7 @@ impl Problem {
     ///
     /// # Errors
     /// A number of the medium out of its domain; a periodic medium; a half-plane without a reference, unless radii are observed.
-    pub fn medium(mut self, medium: Medium) -> Result<Self> {
+    pub fn medium(mut self, medium: ExactMedium) -> Result<Self> {
         let refused = |key: &str, why: &str| Err(refuse(key, why));
         if !medium.has_depth() && !self.observation.sees_radius() {
             let why = "a line contact has no depth of its own: give the reference of the measured depths, or observe F(a) or a(F)";

@@ -12,8 +12,8 @@ use super::text::{self, Record};
 use mdr::files;
 use mdr::reading::Location;
 use mdr::reading::{self, Section, Value};
+use mdr::scene::ExactMedium;
 use mdr::scene::Files;
-use mdr::scene::Medium;
 use mdr::scene::{MAX_DIGITS, Profile};
 use mdr::{Error, Result};
 
@@ -85,7 +85,7 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     }
     let data = top.section("data")?;
     let observation = data.required("observation")?.choice("observation", &Observation::NAMES)?;
-    let pressed = medium.as_ref().map(Medium::read).transpose()?.unwrap_or_default();
+    let pressed = medium.as_ref().map(ExactMedium::read).transpose()?.unwrap_or_default();
     let (mask, saturation) = (data.optional("rows").filter(Value::is_table), data.optional("saturation"));
     let (record, sigma) = rows_of(&data, observation.units_on(&pressed), curve, mask.is_some())?;
     let times = times(&data, &record)?;

@@ -18,7 +18,7 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem, numbers: &Numbers<f64>) -> R
     let profile = problem.profile.with_numbers(&mut fitted.into_iter());
     let own = numbers.of_edge(Some(Edge::Receding));
     let scene = Scene::new(profile, Elasticity::effective(numbers.e_star)?, own.work)?;
-    let validity = scene.range_of_adhesion(range)?.arithmetic(Arithmetic::Double).validity()?;
+    let validity = scene.range_of_adhesion(range)?.arithmetic(Arithmetic::F64).validity()?;
     if validity.regime != mdr::validity::AdhesionRegime::Jkr {
         fit.warnings.push(validity.advice());
     }

@@ -44,20 +44,20 @@ fn near(fit: &Fit, name: &str, expected: f64) {
     assert!((found / expected - 1.0).abs() < 1e-6, "{name} = {found}, expected {expected}; {}", fit.reason);
 }
 
-fn soil(k: &str) -> Medium {
-    Medium::Graded { exponent: k.parse().expect("k"), stiffness: Grading::Coefficient("1".parse().expect("c")) }
+fn soil(k: &str) -> ExactMedium {
+    ExactMedium::Graded { exponent: k.parse().expect("k"), stiffness: Grading::Coefficient("1".parse().expect("c")) }
 }
 
-fn springs() -> Medium {
-    Medium::Winkler { modulus: "1".parse().expect("K") }
+fn springs() -> ExactMedium {
+    ExactMedium::Winkler { modulus: "1".parse().expect("K") }
 }
 
 #[test]
 fn the_modulus_of_the_medium_is_found() {
-    let plane = Medium::Plane { reference: Some("10".parse().expect("L")) };
+    let plane = ExactMedium::Plane { reference: Some("10".parse().expect("L")) };
     // Folds of d: a = [(1 − k)²B/N²]^(1/(3 + k)) with B = πw/2c and N = 1/(1 + k); none on a Winkler foundation.
     let fold = |k: f64| ((1.0 - k).powi(2) * PI * WORK / 4.0 * (1.0 + k).powi(2)).powf(1.0 / (3.0 + k));
-    let cases: [(Medium, &str, f64, [Vec<f64>; 2]); 4] = [
+    let cases: [(ExactMedium, &str, f64, [Vec<f64>; 2]); 4] = [
         (soil("0.3"), "coefficient", 2.0, record(&|a| graded(0.3, a), fold(0.3), 0.05)),
         (soil("-0.4"), "coefficient", 2.0, record(&|a| graded(-0.4, a), fold(-0.4), 0.05)),
         (springs(), "modulus", 5.0, record(&winkler, 0.02, 0.05)),
@@ -87,7 +87,7 @@ fn radii_on_a_half_plane() {
     let radii: Vec<f64> = (1..30).map(|step| 0.03 * f64::from(step)).collect();
     let forces: Vec<f64> = radii.iter().map(|a| line(*a)[1]).collect();
     let problem = Problem::new(BALL, Observation::ForceOfRadius, &radii, &forces).expect("a problem");
-    let problem = problem.medium(Medium::Plane { reference: None }).expect("a medium");
+    let problem = problem.medium(ExactMedium::Plane { reference: None }).expect("a medium");
     let fit = problem.free(["e_star", "work_of_adhesion"]).expect("names").fit().expect("a fit");
     near(&fit, "e_star", 3.0);
     near(&fit, "work_of_adhesion", WORK);
@@ -99,7 +99,7 @@ fn radii_on_a_half_plane() {
 fn no_grading_is_the_half_space() {
     let [x, y] = record(&|a| graded(0.0, a), 0.16, 0.05);
     let problem = Problem::new(BALL, Observation::ForceOfIndentation, &x, &y).expect("a problem");
-    let ends = [(Medium::HalfSpace, "e_star"), (soil("0"), "coefficient")].map(|(medium, name)| {
+    let ends = [(ExactMedium::HalfSpace, "e_star"), (soil("0"), "coefficient")].map(|(medium, name)| {
         let free = [name, "work_of_adhesion", "contact_point"];
         let fit = problem.clone().medium(medium).and_then(|problem| problem.free(free)).expect("names").fit();
         let bits = |fit: &Fit| fit.parameters.iter().map(|each| each.value.map(f64::to_bits)).collect::<Vec<_>>();
@@ -113,9 +113,9 @@ fn what_a_medium_lacks_is_said() {
     let [x, y] = record(&winkler, 0.02, 0.0);
     let problem = Problem::new(BALL, Observation::ForceOfIndentation, &x, &y).expect("a problem");
     let why = |medium| problem.clone().medium(medium).expect_err("refused").to_string();
-    let wave = Medium::Periodic { wavelength: "1".parse().expect("a length"), flaw: None };
+    let wave = ExactMedium::Periodic { wavelength: "1".parse().expect("a length"), flaw: None };
     assert!(why(wave).contains("periodic"));
-    assert!(why(Medium::Plane { reference: None }).contains("reference"));
+    assert!(why(ExactMedium::Plane { reference: None }).contains("reference"));
     assert!(why(soil("1.5")).contains("within (-1, 1)"));
     let on = problem.clone().medium(springs()).expect("a medium");
     let why = on.clone().free(["e_star"]).expect_err("no E*").to_string();

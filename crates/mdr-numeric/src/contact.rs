@@ -1,11 +1,16 @@
 //! A contact: a profile on a medium, with its adhesion and its control. Its equilibria form the curve a ↦ (d, F).
 
+mod folding;
+mod partials;
+
 use std::sync::Arc;
 
 use mdr_core::contact::{Control, Edge, Error, Material, Quantity, Result, Transform};
 use mdr_core::number::Real;
 
 use crate::medium::{Adhesion, Medium};
+
+pub use partials::Input;
 
 /// A contact: the transformed profile, the medium below it, the adhesion at its edge, and the control.
 ///
@@ -307,73 +312,6 @@ impl<R: Real> Contact<R> {
     /// Whether g − d < −Δl at radius `a`, so that growth requires energy, at a value that has been checked.
     pub(crate) fn is_pushed_back(&self, a: &R, value: &R) -> Result<bool> {
         Ok(self.direction_at(a, value)? + self.elongation(a).times(2) < a.lit(0))
-    }
-
-    /// The tangency ratio 2a g'(a)/Δl(a). On a half-space it is g'(a)/Δl'(a), and under controlled indentation 1 at a fold
-    /// (1.10). On media where Δl may fall, line and periodic contacts, it is raised by 2q/(1 + S/K), and so is its critical value.
-    ///
-    /// # Errors
-    /// Errors of the transform at a; see [`Transform::slope`].
-    pub fn tangency(&self, a: &R) -> Result<R> {
-        Ok(self.tangency_of(self.transform.slope(a)?, a))
-    }
-
-    /// The tangency ratio for a given g'; at an edge without adhesion, that of the other edge.
-    pub(crate) fn tangency_of(&self, slope: R, a: &R) -> R {
-        self.medium.tangency(self.adhesion.scale(), slope, a, &self.control)
-    }
-
-    /// A function that is 1 at a fold, and larger where equilibria are stable: the tangency ratio over its critical value. At an
-    /// edge without adhesion the folds are where g' = 0, and it is 1 + sin φ with tan φ = ag'/g, which does not tend to 1 at the
-    /// tip.
-    pub(crate) fn fold_ratio(&self, a: &R) -> Result<R> {
-        if !self.adhesion.vanishes() {
-            return Ok(self.tangency(a)? / self.critical_ratio_at(a));
-        }
-        let (slope, mean) = (self.transform.slope(a)?, self.transform.g(a)? / a);
-        if slope != a.lit(0) {
-            let sine = ((mean / &slope).square() + a.lit(1)).sqrt().inv();
-            return Ok(a.lit(1) + if slope > a.lit(0) { sine } else { -sine });
-        }
-        if mean != slope {
-            return Ok(a.lit(1));
-        }
-        // A flat is neutral and comes to rest at its end. Below the range of the arithmetic a profile that rises has g = 0 as well.
-        Ok(a.lit(if self.flat()?.is_some_and(|end| *a < end) { 0 } else { 2 }))
-    }
-
-    /// The radius up to which g = 0 from the tip on, and nowhere beyond: surfaces without adhesion touch on all of it at d = 0.
-    ///
-    /// # Errors
-    /// Errors of the transform.
-    pub(crate) fn flat(&self) -> Result<Option<R>> {
-        let Some(end) = self.transform.kinks().into_iter().next().or(self.transform.outer_radius()) else {
-            return Ok(None);
-        };
-        let (inside, zero) = (end.clone().over(2), end.lit(0));
-        let flat = self.transform.g(&inside)? == zero && self.transform.slope(&inside)? == zero;
-        Ok(Some(end).filter(|_| flat))
-    }
-
-    /// The value of the [tangency ratio](Contact::tangency) at which the controlled quantity is stationary.
-    ///
-    /// With d' = g' − Δl' and F' = S d' − S' Δl along the curve, d' + F'/K = 0 reads 2a g'/Δl = 2p + 2q/(1 + K/S), where q and
-    /// p are the orders of S and Δl in a. On a half-space, where 2p = 1 and 2q = 2, it is 1 for fixed grips (K → ∞) and 3 for a
-    /// dead load (K → 0). Equilibria are stable where the ratio exceeds it.
-    ///
-    /// # Errors
-    /// [`Error::Domain`] unless a and the stiffness of a machine are positive and finite.
-    pub fn critical_ratio(&self, a: &R) -> Result<R> {
-        self.control.check()?;
-        Ok(self.critical_ratio_at(&Error::require_positive(Quantity::ContactRadius, a.clone())?))
-    }
-
-    /// The critical tangency ratio for a > 0, unchecked. At an edge without adhesion folds are where g' = 0.
-    pub(crate) fn critical_ratio_at(&self, a: &R) -> R {
-        if self.adhesion.vanishes() {
-            return a.lit(0);
-        }
-        self.medium.critical_ratio(a, &self.control)
     }
 
     /// Indentation and force at radius `a`.

@@ -1,7 +1,11 @@
 //! Heights that a program computes: f(r) from a closure.
 
+use std::any::TypeId;
+use std::fmt;
+use std::sync::Arc;
+
 use mdr_core::contact::{Error, Profile, Quantity, Result};
-use mdr_core::number::{Dual, Lift};
+use mdr_core::number::{Dual, Lift, Special};
 
 /// A number with its first and second derivative with respect to r.
 pub type Differentiated = Dual<Dual<f64>>;
@@ -30,25 +34,43 @@ pub type Differentiated = Dual<Dual<f64>>;
 /// assert!((one / other - 1.0).abs() < 1e-12);
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
-#[derive(Clone, Debug)]
-pub struct Function<F> {
-    heights: F,
+#[derive(Clone)]
+pub struct Function {
+    heights: Arc<dyn Fn(f64) -> [f64; 3] + Send + Sync>,
     kinks: Vec<f64>,
     outer_radius: Option<f64>,
 }
 
-impl<F: Fn(f64) -> [f64; 3] + Send + Sync> Function<F> {
+impl fmt::Debug for Function {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Function { kinks, outer_radius, .. } = self;
+        f.debug_struct("Function").field("kinks", kinks).field("outer_radius", outer_radius).finish_non_exhaustive()
+    }
+}
+
+impl Function {
     /// A profile from a closure that gives f, f' and f'' at a radius, in units of metres. f is continuous, with f(0) = 0.
     ///
     /// # Errors
     /// [`Error::Domain`] unless f(0) is 0.
-    pub fn new(heights: F) -> Result<Self> {
+    pub fn new(heights: impl Fn(f64) -> [f64; 3] + Send + Sync + 'static) -> Result<Self> {
         let [tip, ..] = heights(0.0);
         if tip != 0.0 {
             let quantity = Quantity::Parameter("f(0)");
             return Err(Error::domain(quantity, &tip, "0: heights and depths are counted from the tip"));
         }
-        Ok(Function { heights, kinks: Vec::new(), outer_radius: None })
+        Ok(Function { heights: Arc::new(heights), kinks: Vec::new(), outer_radius: None })
+    }
+
+    /// A profile from a closure over numbers that carry their derivatives, so that f is written once.
+    ///
+    /// # Errors
+    /// [`Error::Domain`] unless f(0) is 0.
+    pub fn differentiated(height: impl Fn(Differentiated) -> Differentiated + Send + Sync + 'static) -> Result<Self> {
+        Function::new(move |r| {
+            let f = height(Dual::variable(Dual::variable(r)));
+            [f.value.value, f.value.slope, f.slope.slope]
+        })
     }
 
     /// The profile with the radii at which f or a derivative of it jumps, in m. Integrals are split there.
@@ -74,30 +96,51 @@ impl<F: Fn(f64) -> [f64; 3] + Send + Sync> Function<F> {
         let radius = Error::require_positive(Quantity::Parameter("the outer radius"), radius)?;
         Ok(Function { outer_radius: Some(radius), ..self })
     }
-}
 
-impl Function<()> {
-    /// A profile from a closure over numbers that carry their derivatives, so that f is written once.
-    ///
-    /// # Errors
-    /// [`Error::Domain`] unless f(0) is 0.
-    pub fn differentiated(
-        height: impl Fn(Differentiated) -> Differentiated + Send + Sync,
-    ) -> Result<Function<impl Fn(f64) -> [f64; 3] + Send + Sync>> {
-        Function::new(move |r| {
-            let f = height(Dual::variable(Dual::variable(r)));
-            [f.value.value, f.value.slope, f.slope.slope]
-        })
+    /// The profile for code that is written for any arithmetic: `None` unless that is f64.
+    pub fn in_arithmetic<R: Special>(&self, ctx: R::Ctx) -> Option<impl Profile<R> + use<R>> {
+        let found = InArithmetic { function: self.clone(), ctx };
+        Some(found).filter(|_| TypeId::of::<R>() == TypeId::of::<f64>())
     }
 }
 
-impl<F: Fn(f64) -> [f64; 3] + Send + Sync> Profile<f64> for Function<F> {
-    /// Taylor's series to second order, which is all that a number with two derivatives holds.
+/// A function in the arithmetic R, which is f64.
+struct InArithmetic<R: Special> {
+    function: Function,
+    ctx: R::Ctx,
+}
+
+impl<R: Special> InArithmetic<R> {
+    fn number(&self, x: f64) -> R {
+        R::from_f64(self.ctx, x)
+    }
+}
+
+impl<R: Special> Profile<R> for InArithmetic<R> {
+    fn height<S: Lift<R>>(&self, r: &S) -> S {
+        let at = r.value_of();
+        let values = (self.function.heights)(at.approx());
+        series(values.map(|value| S::lift(&self.number(value))), r.clone() - S::lift(&at))
+    }
+
+    fn kinks(&self) -> Vec<R> {
+        self.function.kinks.iter().map(|kink| self.number(*kink)).collect()
+    }
+
+    fn outer_radius(&self) -> Option<R> {
+        self.function.outer_radius.map(|radius| self.number(radius))
+    }
+}
+
+/// Taylor's series to second order, which is all that a number with two derivatives holds.
+fn series<S: Special>([f, slope, bend]: [S; 3], step: S) -> S {
+    f + (slope + bend.over(2) * &step) * step
+}
+
+impl Profile<f64> for Function {
     fn height<S: Lift<f64>>(&self, r: &S) -> S {
         let at = r.value_of();
-        let [f, slope, bend] = (self.heights)(at).map(|value| S::lift(&value));
-        let step = r.clone() - S::lift(&at);
-        f + (slope + bend.over(2) * &step) * step
+        series((self.heights)(at).map(|value| S::lift(&value)), r.clone() - S::lift(&at))
     }
 
     fn kinks(&self) -> Vec<f64> {

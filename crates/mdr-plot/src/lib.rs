@@ -7,7 +7,7 @@
 //! let scene = Scene::new(tip, Elasticity::effective("5e10")?, "0.1")?
 //!     .control(Control::Force)
 //!     .path(["0", "-1e-7"])?
-//!     .arithmetic(Arithmetic::Double);
+//!     .arithmetic(Arithmetic::F64);
 //! let picture = mdr_plot::scene("AFM tip", &scene.diagram()?);
 //! assert!(picture.svg().contains("<title>AFM tip</title>"));
 //! assert!(picture.csv().lines().any(|row| row.starts_with("2,arrow,detached,")));

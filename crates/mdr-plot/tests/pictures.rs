@@ -20,7 +20,7 @@ fn diagram(
     start: Start,
 ) -> Diagram {
     let scene = Scene::new(tip, Elasticity::effective(modulus).unwrap(), work).unwrap().control(control);
-    scene.path(path.iter().copied()).unwrap().start(start).arithmetic(Arithmetic::Double).diagram().unwrap()
+    scene.path(path.iter().copied()).unwrap().start(start).arithmetic(Arithmetic::F64).diagram().unwrap()
 }
 
 /// An AFM tip of 50 nm on mica.

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::io;
 
 use mdr::answer::Field;
+use mdr::columns::{Choice, ContactColumns, Event, State, States};
 use mdr::critical::{PowerLaw, critical};
-use mdr::double::{self, Choice, Event, Start, State};
-use mdr::prelude::{Arithmetic, Control, Literal, Scene, Status, Stop, Value, Want};
+use mdr::prelude::{Arithmetic, Control, Literal, Scene, Start, Status, Stop, Value, Want};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -32,23 +32,23 @@ type Found<'py> = (Columns<'py>, Flags<'py>, Flags<'py>, Codes<'py>);
 type Drawn<'py> = (Vec<Happening>, Columns<'py>, Option<[f64; 3]>);
 
 /// Profile and material: a scene, and the same in f64.
-#[pyclass(frozen, module = "mdr._core")]
-pub(crate) struct Contact {
+#[pyclass(frozen, module = "mdr._core", name = "Contact")]
+pub(crate) struct ContactClass {
     scene: Scene,
     law: Option<PowerLaw>,
-    double: double::Contact,
+    columns: ContactColumns,
 }
 
 #[pymethods]
-impl Contact {
+impl ContactClass {
     /// From a scene as JSON, with the contents of the files that it names.
     #[new]
     fn new(py: Python<'_>, scene: &str, files: HashMap<String, Vec<u8>>) -> PyResult<Self> {
         let at_hand = |name: &str| files.get(name).cloned().ok_or_else(|| io::Error::from(io::ErrorKind::NotFound));
         let read = || {
             let scene = Scene::from_json(scene, "", &at_hand)?;
-            let (law, double) = (PowerLaw::of(&scene), double::Contact::new(&scene)?);
-            Ok(Contact { scene, law, double })
+            let (law, columns) = (PowerLaw::of(&scene), ContactColumns::new(&scene)?);
+            Ok(ContactClass { scene, law, columns })
         };
         detached(py, read)?.map_err(of_library)
     }
@@ -56,7 +56,8 @@ impl Contact {
     /// g, g' and ∫g at radii.
     fn transform<'py>(&self, py: Python<'py>, x: Values<'py>) -> PyResult<Columns<'py>> {
         let x = x.as_slice()?;
-        let [g, slope, integral] = interruptible(py, |stop| self.double.transform(x, stop))?.map_err(of_contact)?;
+        let [g, slope, integral] =
+            interruptible(py, |stop| self.columns.until(stop).transform(x))?.map_err(of_contact)?;
         Ok((column(py, g), column(py, slope), column(py, integral)))
     }
 
@@ -67,7 +68,7 @@ impl Contact {
         match &self.law {
             Some(law) => {
                 let law = PowerLaw { control, ..law.clone() };
-                let answer = detached(py, || critical(&law, Arithmetic::Double))?.map_err(of_library)?;
+                let answer = detached(py, || critical(&law, Arithmetic::F64))?.map_err(of_library)?;
                 let [a, d, force] = state_of(&answer)?.values();
                 Ok((
                     number("the contact radius a", a)?,
@@ -112,7 +113,7 @@ impl Contact {
     #[pyo3(signature = (held, stiffness = None))]
     fn pull_off(&self, py: Python<'_>, held: &str, stiffness: Option<f64>) -> PyResult<Row> {
         let control = control(held, stiffness)?;
-        interruptible(py, |stop| self.double.pull_off(&control, stop))?.map(row).map_err(of_contact)
+        interruptible(py, |stop| self.columns.until(stop).pull_off(&control))?.map(row).map_err(of_contact)
     }
 
     /// a, d, F and kind of all folds.
@@ -124,14 +125,14 @@ impl Contact {
         stiffness: Option<f64>,
     ) -> PyResult<Vec<(f64, f64, f64, &'static str)>> {
         let control = control(held, stiffness)?;
-        let folds = interruptible(py, |stop| self.double.folds(&control, stop))?.map_err(of_contact)?;
+        let folds = interruptible(py, |stop| self.columns.until(stop).folds(&control))?.map_err(of_contact)?;
         Ok(folds.iter().map(|fold| (fold.contact_radius, fold.indentation, fold.force, fold.kind.name())).collect())
     }
 
     /// a, d, F and status with each radius.
     fn curve<'py>(&self, py: Python<'py>, radii: Values<'py>) -> PyResult<(Columns<'py>, Codes<'py>)> {
         let radii = radii.as_slice()?;
-        let states = interruptible(py, |stop| self.double.curve(radii, stop))?.map_err(of_contact)?;
+        let states = interruptible(py, |stop| self.columns.until(stop).curve(radii))?.map_err(of_contact)?;
         Ok(columns(py, states))
     }
 
@@ -150,7 +151,7 @@ impl Contact {
             "displacement" => Field::Displacement,
             _ => return Err(PyValueError::new_err(format!("no field: {name}"))),
         };
-        let values = interruptible(py, |stop| self.double.field(field, contact_radius, radii, stop))?;
+        let values = interruptible(py, |stop| self.columns.until(stop).field(field, contact_radius, radii))?;
         Ok(column(py, values.map_err(of_contact)?))
     }
 
@@ -166,7 +167,7 @@ impl Contact {
     ) -> PyResult<(Columns<'py>, Codes<'py>)> {
         let (values, control) = (values.as_slice()?, control(held, stiffness)?);
         let choice = if largest { Choice::Largest } else { Choice::Smallest };
-        let states = self.asked(py, &control, |stop| self.double.states(&control, values, choice, stop))?;
+        let states = self.asked(py, &control, |stop| self.columns.until(stop).states(&control, values, choice))?;
         Ok(columns(py, states.map_err(of_contact)?))
     }
 
@@ -174,7 +175,7 @@ impl Contact {
     fn state(&self, py: Python<'_>, value: f64, held: &str, largest: bool) -> PyResult<(Row, i8)> {
         let control = control(held, None)?;
         let choice = if largest { Choice::Largest } else { Choice::Smallest };
-        let states = self.asked(py, &control, |stop| self.double.states(&control, &[value], choice, stop))?;
+        let states = self.asked(py, &control, |stop| self.columns.until(stop).states(&control, &[value], choice))?;
         let states = states.map_err(of_contact)?;
         Ok(((states.contact_radius[0], states.indentation[0], states.force[0]), code(&states.status[0])))
     }
@@ -189,7 +190,7 @@ impl Contact {
         stiffness: Option<f64>,
     ) -> PyResult<Found<'py>> {
         let (values, control) = (values.as_slice()?, control(held, stiffness)?);
-        let found = self.asked(py, &control, |stop| self.double.equilibria(&control, values, stop))?;
+        let found = self.asked(py, &control, |stop| self.columns.until(stop).equilibria(&control, values))?;
         let found = found.map_err(of_contact)?;
         let [a, d, force] = [found.contact_radius, found.indentation, found.force].map(|rows| column(py, rows));
         let [admissible, stable] = [found.admissible, found.stable].map(|flags| PyArray1::from_vec(py, flags));
@@ -207,7 +208,7 @@ impl Contact {
         start: &str,
     ) -> PyResult<(Columns<'py>, Codes<'py>, Vec<Happening>)> {
         let (values, control, start) = (values.as_slice()?, control(held, stiffness)?, start_of(start)?);
-        let history = interruptible(py, |stop| self.double.follow(&control, values, &start, stop))?;
+        let history = interruptible(py, |stop| self.columns.until(stop).follow(&control, values, &start))?;
         let history = history.map_err(of_contact)?;
         let (columns, codes) = columns(py, history.states);
         Ok((columns, codes, history.jumps.iter().map(happening).collect()))
@@ -225,7 +226,7 @@ impl Contact {
         samples: usize,
     ) -> PyResult<Drawn<'py>> {
         let (way, control, start) = (way.as_slice()?, control(held, stiffness)?, start_of(start)?);
-        let path = interruptible(py, |stop| self.double.path(&control, way, &start, samples, stop))?;
+        let path = interruptible(py, |stop| self.columns.until(stop).path(&control, way, &start, samples))?;
         let path = path.map_err(of_contact)?;
         let curve = |of: fn(&State) -> f64| column(py, path.curve.iter().map(of).collect());
         let curve = (curve(|s| s.contact_radius), curve(|s| s.indentation), curve(|s| s.force));
@@ -233,7 +234,7 @@ impl Contact {
     }
 }
 
-impl Contact {
+impl ContactClass {
     /// Closed forms of power laws take nanoseconds a value, and a thread is not worth its start.
     fn asked<T: Send>(
         &self,
@@ -318,7 +319,7 @@ pub(crate) fn column(py: Python<'_>, values: Vec<f64>) -> Column<'_> {
     PyArray1::from_vec(py, values)
 }
 
-pub(crate) fn columns(py: Python<'_>, states: double::States) -> (Columns<'_>, Codes<'_>) {
+pub(crate) fn columns(py: Python<'_>, states: States) -> (Columns<'_>, Codes<'_>) {
     let [a, d, force] = [states.contact_radius, states.indentation, states.force].map(|values| column(py, values));
     ((a, d, force), codes(py, &states.status))
 }
@@ -351,5 +352,5 @@ fn happening(event: &Event) -> Happening {
 
 const _: fn() = || {
     fn shared<T: Send + Sync + 'static>() {}
-    shared::<Contact>();
+    shared::<ContactClass>();
 };

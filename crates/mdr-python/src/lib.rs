@@ -16,7 +16,7 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use super::contact::Contact;
+    use super::contact::ContactClass;
     #[pymodule_export]
     use super::power_law::{critical_states, kappa};
     #[pymodule_export]

@@ -2,8 +2,8 @@
 
 use mdr::answer::Fold;
 use mdr::batch;
+use mdr::columns::States;
 use mdr::critical::{CriticalAnswer, PowerLaw, critical};
-use mdr::double;
 use mdr::prelude::{Arithmetic, Control, Elasticity, Literal, Status};
 use pyo3::prelude::*;
 
@@ -27,7 +27,7 @@ pub(crate) fn kappa<'py>(py: Python<'py>, n: &str, digits: Option<u32>) -> PyRes
     match digits {
         Some(digits) => Digits::new(py)?.of(&certified_answer(py, law, digits)?.kappa.to_string()),
         None => {
-            let answer = detached(py, || critical(&law, Arithmetic::Double))?.map_err(of_library)?;
+            let answer = detached(py, || critical(&law, Arithmetic::F64))?.map_err(of_library)?;
             Ok(answer.kappa.to_f64().into_pyobject(py)?.into_any())
         }
     }
@@ -63,7 +63,7 @@ pub(crate) fn critical_states<'py>(
             status: &mut status,
         };
         batch::critical_states(&points, &control, &mut states)?;
-        Ok((kappa, double::States { contact_radius, indentation, force, status }))
+        Ok((kappa, States { contact_radius, indentation, force, status }))
     };
     let (kappa, states) = detached(py, compute)?.map_err(of_contact)?;
     let (columns, codes) = columns(py, states);

@@ -28,7 +28,7 @@ pub(crate) fn solve(
     f64: bool,
 ) -> PyResult<String> {
     let arithmetic = match (digits, f64) {
-        (None, true) => Some(Arithmetic::Double),
+        (None, true) => Some(Arithmetic::F64),
         (digits, false) => digits.map(|digits| Arithmetic::Certified { digits }),
         (Some(_), true) => return Err(PyValueError::new_err("give digits or f64, not both")),
     };

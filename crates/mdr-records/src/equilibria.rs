@@ -12,7 +12,7 @@ use rug::Float;
 use crate::builder::RecordBuilder;
 use crate::cases::Case;
 use crate::contact::CaseContact;
-use crate::sensitivity::{Conditions, Seeded, constant, controlled, implicit, on_curve};
+use crate::sensitivity::{Conditions, Seeded, constant, controlled, on_curve};
 use crate::{DIGITS, Failure, Result, confirm, decimals, float};
 
 /// Bits in which a share of the critical value is first tried, and in which states are compared.
@@ -71,7 +71,7 @@ impl Target<'_> {
                 let Dual { value, slope } = controlled(curve, a)?;
                 Ok(Dual { value, slope: slope - &target })
             };
-            let a = implicit(&constant(&state[0]), residual)?;
+            let a = curve.moved(&constant(&state[0]).value, residual)?;
             let (d, f) = curve.state(&a)?;
             Ok([a, d, f])
         })?;

@@ -8,7 +8,7 @@ use rug::Float;
 use crate::builder::RecordBuilder;
 use crate::cases::Case;
 use crate::contact::CaseContact;
-use crate::sensitivity::{Conditions, constant, implicit, on_curve};
+use crate::sensitivity::{Conditions, constant, on_curve};
 use crate::{Failure, Result, confirm, decimals, float};
 
 /// A fold that both methods have.
@@ -83,7 +83,7 @@ fn folds(contact: &CaseContact) -> Result<Vec<Fold>> {
 /// By the implicit function theorem for the condition of tangency; that of d = 0 relative to Δl(a).
 fn conditions(contact: &CaseContact, [a, d, _]: &[Decimal; 3]) -> contact::Result<[Conditions; 3]> {
     on_curve(contact, None, |curve, _| {
-        let a = implicit(&constant(a), |a| Ok(curve.tangency(a)? - curve.critical_ratio(a)?))?;
+        let a = curve.moved(&constant(a).value, |a| Ok(curve.tangency(a)? - curve.critical_ratio(a)?))?;
         let (depth, f) = curve.state(&a)?;
         let value = if d.is_zero() { curve.detachment_elongation(&a)?.value } else { depth.value };
         Ok([a, Dual { value, slope: depth.slope }, f])

@@ -61,15 +61,6 @@ pub(crate) fn constant(decimal: &Decimal) -> Seeded {
     Dual::constant(Interval::point(float(Precision::new(BITS), decimal)))
 }
 
-/// The radius at which a residual stays zero while an input changes, by the implicit function theorem. Both derivatives
-/// are with respect to logarithms, so that their difference keeps its digits at any scale.
-pub(crate) fn implicit(a: &Seeded, residual: impl Fn(&Seeded) -> Result<Seeded>) -> Result<Seeded> {
-    let along = residual(a)?.slope;
-    let total = residual(&Dual { value: a.value.clone(), slope: a.value.clone() })?.slope;
-    let across = total - &along;
-    Ok(Dual { value: a.value.clone(), slope: -along / across * &a.value })
-}
-
 /// The controlled quantity at a contact radius.
 pub(crate) fn controlled(curve: &Contact<Seeded>, a: &Seeded) -> Result<Seeded> {
     let (d, f) = curve.state(a)?;

@@ -31,6 +31,34 @@
 //! want = ["folds"]
 //! ```
 //!
+//! # A profile of your own
+//!
+//! A tip is a shape of the library, a formula, measured rows, or a function of your program: [`Function`](contact::Function), from a
+//! closure that gives f, f' and f'', or over numbers that carry their derivatives. It solves scenes in f64, like any other profile:
+//!
+//! ```
+//! use mdr::contact::Function;
+//! use mdr::prelude::*;
+//! // A blunt tip f = r⁴/4L³, L = 20 nm, pulled off a solid of 1 GPa under a dead load.
+//! let length = 20e-9_f64;
+//! let tip = Function::new(move |r| [r.powi(4) / 4.0, r.powi(3), 3.0 * r.powi(2)].map(|x| x / length.powi(3)))?;
+//! let scene = Scene::new(tip, Elasticity::effective("1e9")?, "0.05")?
+//!     .control(Control::Force)
+//!     .want(Want::Folds { range: None })
+//!     .arithmetic(Arithmetic::F64);
+//! let pull_off = scene.solve()?.folds().expect("wanted").items[0].force.to_f64().expect("a number");
+//! // The power law with n = 4 and C = 1/4L³.
+//! let law = Shape::Power { n: 4.0, c: 1.0 / (4.0 * length.powi(3)) };
+//! let closed = Scene::new(law, Elasticity::effective("1e9")?, "0.05")?.control(Control::Force).contact()?;
+//! assert!((pull_off / mdr::contact::folds::find(&closed)?[0].force - 1.0).abs() < 1e-9);
+//! # Ok::<(), mdr::Error>(())
+//! ```
+//!
+//! Rows are a profile by [`Measured::from_rows`](scene::Measured::from_rows). [`Scene::contact`] is the contact of a scene, for questions
+//! that no output has, and [`contact`] builds one from a profile or a transform g of your own.
+//!
+//! # Where to find it
+//!
 //! | task | where |
 //! |---|---|
 //! | describe a contact | [`Scene`], [`Shape`](prelude::Shape), [`Profile`](scene::Profile), [`Want`](prelude::Want) |
@@ -43,8 +71,9 @@
 //! | one power law, at a point | [`critical()`] |
 //! | whether the theory holds | [`Scene::range_of_adhesion`], [`validity`] |
 //! | many states in f64, from slices | [`batch`] |
-//! | one contact at arrays of values | [`double`] |
-//! | a profile of your own, from a closure or slices | [`contact`], [`Measured::from_rows`](scene::Measured::from_rows) |
+//! | one contact at arrays of values | [`columns`] |
+//! | a profile of your own, from a closure or slices | [`Function`](contact::Function), [`Measured::from_rows`](scene::Measured::from_rows) |
+//! | a transform g of your own, any state, in any arithmetic | [`contact`] |
 //!
 //! # Features
 //! * `mp` (default): certified digits, by GMP and MPFR. Without it the crate is pure Rust, builds for `wasm32-unknown-unknown`,
@@ -74,9 +103,9 @@
 #![forbid(unsafe_code)]
 
 pub mod answer;
+pub mod columns;
 pub mod critical;
 pub mod diagram;
-pub mod double;
 mod error;
 pub mod files;
 mod outputs;
@@ -99,7 +128,7 @@ pub mod batch {
     pub use mdr_analytic::double::grid::*;
 }
 
-/// One contact in Rust: your own profile on a medium, with every computation of the library in any arithmetic.
+/// One contact in Rust: a profile or a transform of your own on a medium, with every computation of the library in any arithmetic.
 ///
 /// ```
 /// use mdr::contact::{Adhesion, Contact, Function, Medium, Quadrature, folds};
@@ -115,11 +144,39 @@ pub mod batch {
 /// assert!(pull_off < 0.0 && (pull_off / -4.7124e-9 - 1.0).abs() < 0.02); // near −3/2 πwR
 /// # Ok::<(), mdr::ContactError>(())
 /// ```
+///
+/// Where g is known, a [`Transform`](contact::Transform) is all that a contact needs: g, g' and the integral of g. A paraboloid
+/// has g = x²/R:
+///
+/// ```
+/// use mdr::ContactError;
+/// use mdr::contact::{Adhesion, Contact, EquilibriumBranches, Medium, SearchedBranches, Transform};
+/// use mdr::prelude::*;
+/// struct Ball(f64);
+/// impl Transform<f64> for Ball {
+///     fn g(&self, x: &f64) -> Result<f64, ContactError> {
+///         Ok(x * x / self.0)
+///     }
+///     fn slope(&self, x: &f64) -> Result<f64, ContactError> {
+///         Ok(2.0 * x / self.0)
+///     }
+///     fn integral(&self, x: &f64) -> Result<f64, ContactError> {
+///         Ok(x.powi(3) / (3.0 * self.0))
+///     }
+/// }
+/// let contact = Contact::new(Ball(1e-6), Medium::half_space(1e6)?, Adhesion::new(0.05)?, Control::Force);
+/// let branches = SearchedBranches::new(contact)?;
+/// assert!((branches.folds()[0].force / (-1.5 * std::f64::consts::PI * 0.05 * 1e-6) - 1.0).abs() < 1e-13);
+/// // Two equilibria under a pull; the one with the larger radius is stable.
+/// let found = branches.equilibria(&-2e-7)?;
+/// assert_eq!(found.iter().map(|state| state.stability).collect::<Vec<_>>(), [Stability::Unstable, Stability::Stable]);
+/// # Ok::<(), ContactError>(())
+/// ```
 pub mod contact {
     pub use mdr_core::contact::{Profile, Transform};
     pub use mdr_numeric::admissible;
     pub use mdr_numeric::branch::EquilibriumBranches;
-    pub use mdr_numeric::contact::Contact;
+    pub use mdr_numeric::contact::{Contact, Input};
     pub use mdr_numeric::equilibrium::SearchedBranches;
     pub use mdr_numeric::fields::Fields;
     pub use mdr_numeric::folds;
@@ -148,7 +205,7 @@ pub mod prelude {
     pub use mdr_numeric::path::EventKind;
 
     pub use crate::answer::{Answer, Field, Number, Output, OutputKind, Promise, Value};
-    pub use crate::scene::{Arithmetic, Formula, Grading, Measured, Medium, Profile, Scene, Start, Want};
+    pub use crate::scene::{Arithmetic, ExactMedium, Formula, Grading, Measured, Profile, Scene, Start, Want};
     pub use crate::{Error, Observer, Run, Stop};
 }
 

@@ -47,7 +47,7 @@ impl Observer for () {}
 /// use mdr::prelude::*;
 /// let scene = Scene::new(Shape::Cone { flank: Flank::Slope("0.1") }, Elasticity::effective("1e6")?, "0.05")?
 ///     .want(Want::Curve { at: vec!["1e-3".parse().unwrap()] })
-///     .arithmetic(Arithmetic::Double);
+///     .arithmetic(Arithmetic::F64);
 /// let stop = Stop::default();
 /// stop.stop();
 /// let stopped = scene.solve_with(&mut Run::new(&mut (), stop));

@@ -108,7 +108,7 @@ impl Validity {
     /// numbers are always doubles.
     pub fn promise(&self) -> Promise {
         let numbers = [&self.tabor, &self.contact_radius, &self.maugis_dugdale_pull_off, &self.slope];
-        numbers.into_iter().find_map(Value::promise).unwrap_or(Promise::Double)
+        numbers.into_iter().find_map(Value::promise).unwrap_or(Promise::F64)
     }
 
     /// The consequence for the numbers, in sentences.

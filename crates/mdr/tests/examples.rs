@@ -41,7 +41,7 @@ fn certified_answers_are_those_of_the_command_line() {
 fn answers_in_f64_are_the_same_in_every_build() {
     let overwrite = std::env::var_os("MDR_GOLDENS").is_some_and(|value| value == "overwrite");
     for name in names().iter().filter(|name| cfg!(feature = "mp") || !needs_mp(name)) {
-        let answer = scene(name).arithmetic(Arithmetic::Double).solve().unwrap().to_json();
+        let answer = scene(name).arithmetic(Arithmetic::F64).solve().unwrap().to_json();
         let golden = root().join(format!("crates/mdr/tests/f64/{name}.json"));
         if overwrite {
             std::fs::write(&golden, &answer).unwrap();

@@ -146,7 +146,7 @@ fn doubles_follow_the_certified_path() {
     ] {
         let control = format!("{control}\nstart = \"detached\"");
         let certified = scene(profile, works, &control, "want = [\"path\"]").unwrap();
-        let double = certified.clone().arithmetic(Arithmetic::Double);
+        let double = certified.clone().arithmetic(Arithmetic::F64);
         let [certified, double] = [path(&certified), path(&double)];
         assert_eq!(certified.events.promise, Promise::Certified, "{profile} {control}");
         assert_eq!(kinds(&certified), kinds(&double), "{profile} {control}");
@@ -255,7 +255,7 @@ fn contact_without_adhesion_on_the_way_in() {
         let is_flat = profile.contains("flat");
         assert_eq!(radius, if is_flat { 0.1 } else { 0.0 }, "{profile} {control}");
         assert_eq!((number(&touched.to_indentation), number(&touched.to_force)), (0.0, 0.0));
-        let double = path(&certified.clone().arithmetic(Arithmetic::Double));
+        let double = path(&certified.clone().arithmetic(Arithmetic::F64));
         assert_eq!(kinds(&found), kinds(&double), "{profile} {control}");
         for (one, other) in found.events.items.iter().zip(&double.events.items) {
             let [one, other] = [one, other].map(|event| number(&event.contact_radius));
@@ -310,7 +310,7 @@ fn states_of_both_edges() {
                   gap = { at = [\"0.7\"] }\ndisplacement = { at = [\"0.7\"] }";
     for works in [["0.01", "0.04"], ["0", "0.04"]] {
         let certified = scene(BALL, works, "kind = \"indentation\"", output).unwrap();
-        let double = certified.clone().arithmetic(Arithmetic::Double);
+        let double = certified.clone().arithmetic(Arithmetic::F64);
         let [w1, w2] = works.map(|work| work.parse::<f64>().unwrap());
         for answer in [certified.solve().unwrap(), double.solve().unwrap()] {
             let curve = &answer.curve().unwrap().items;
@@ -346,7 +346,7 @@ fn state_that_is_pinned() {
     let control = "kind = \"indentation\"\npath = [\"-0.1\", \"-0.3\"]\nstart = \"0.2\"";
     let output = "want = [\"energy\", \"pressure\"]\ndigits = 12\npressure = { at = [0] }";
     let certified = scene(BALL, ["0.01", "0.04"], control, output).unwrap();
-    let double = certified.clone().arithmetic(Arithmetic::Double);
+    let double = certified.clone().arithmetic(Arithmetic::F64);
     for answer in [certified.solve().unwrap(), double.solve().unwrap()] {
         let [state] = &answer.energy().unwrap().items[0].items[..] else { panic!("one state") };
         assert!(state.edge.is_none() && state.state.contact_radius.to_f64() == Some(0.2));
@@ -372,7 +372,7 @@ fn stiffness_of_both_edges() {
     let output = "want = [\"energy\"]\ndigits = 12\nequilibria = { at = [\"0.05\"] }";
     for ball in [BALL, "kind = \"sphere\"\nradius = 1", "kind = \"expression\"\nformula = \"r^2/2 + r^4\""] {
         let certified = scene(ball, ["0", "0.04"], "kind = \"indentation\"", output).unwrap();
-        let double = certified.clone().arithmetic(Arithmetic::Double);
+        let double = certified.clone().arithmetic(Arithmetic::F64);
         let [certified, double] = [certified, double].map(|scene| scene.solve().unwrap());
         let [certified, double] = [&certified, &double].map(|answer| &answer.energy().unwrap().items[0].items);
         let number = |value: &mdr::answer::Value| value.to_f64().unwrap();

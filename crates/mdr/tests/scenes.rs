@@ -134,7 +134,7 @@ fn json_toml_and_the_builder_meet_in_one_scene() {
         .unwrap()
         .want(Want::Folds { range: None })
         .want(Want::Path)
-        .arithmetic(Arithmetic::Double);
+        .arithmetic(Arithmetic::F64);
     let answers = [
         Scene::from_toml(&toml, "scene.toml", &no_files).unwrap().solve().unwrap(),
         Scene::from_json(json, "scene.json", &no_files).unwrap().solve().unwrap(),
@@ -195,7 +195,7 @@ fn a_force_curve_is_the_path_as_it_is_measured() {
         .expect("a scene")
         .start(Start::Detached)
         .want(Want::ForceCurve { points: 100 })
-        .arithmetic(Arithmetic::Double);
+        .arithmetic(Arithmetic::F64);
     let answer = scene.solve().expect("an answer");
     let curve = answer.force_curve().expect("wanted");
     let number = |value: &Option<Value>| value.as_ref().and_then(Value::to_f64);
@@ -232,7 +232,7 @@ fn nesting_is_refused_at_a_stated_depth() {
     };
     let json = |text: &str| Scene::from_json(text, "scene.json", &no_files);
     // The sum is level 1, its terms are level 2, each of them level 3.
-    assert!(json(&sums(31)).expect("level 63").in_arithmetic(Some(Arithmetic::Double)).solve().is_ok());
+    assert!(json(&sums(31)).expect("level 63").in_arithmetic(Some(Arithmetic::F64)).solve().is_ok());
     let inline = |count: usize| format!("x = {}1{}", "{a.a.a.a = ".repeat(count), "}".repeat(count));
     let keys = (0..70).fold("1".to_owned(), |value, _| format!("{{{} = {value}}}", ["a"; 79].join(".")));
     let array = format!("[[profile{}]]\na = 1\n", ".term".repeat(70));
@@ -255,7 +255,7 @@ fn lists_that_are_built_have_the_length_of_lists_that_are_read() {
         let elasticity = Elasticity::effective("1").expect("a modulus");
         Scene::new(Shape::Paraboloid { radius: "1" }, elasticity, "1e-4")
             .expect("a contact")
-            .arithmetic(Arithmetic::Double)
+            .arithmetic(Arithmetic::F64)
     };
     let many = |count: usize| (0..count).map(|value| Literal::from(value as i64)).collect::<Vec<_>>();
     let path = scene().path(many(10_001)).expect("numbers").want(Want::Path).solve();
@@ -275,7 +275,7 @@ fn force_curve(profile: &str, control: &str, points: u32) -> ForceCurve {
         "[material]\ne_star = 1\nwork_of_adhesion = 1e-4\n[profile]\n{profile}\n[control]\n{control}\n\
          [output]\nwant = [\"force-curve\"]\npoints = {points}\n"
     );
-    let scene = Scene::from_toml(&text, "scene.toml", &no_files).expect("a good scene").arithmetic(Arithmetic::Double);
+    let scene = Scene::from_toml(&text, "scene.toml", &no_files).expect("a good scene").arithmetic(Arithmetic::F64);
     scene.solve().expect("an answer").force_curve().expect("wanted").clone()
 }
 
@@ -366,6 +366,6 @@ fn no_number_is_minus_zero() {
     let curve = force_curve("kind = \"paraboloid\"\nradius = 1", "kind = \"indentation\"\npath = [0.1, 0.2]", 2);
     assert_eq!(curve.summary.hysteresis.as_ref().map(Value::to_string).as_deref(), Some("0"));
     assert!(curve.summary.sentence(&mdr::answer::NumberStyle::default()).contains("hysteresis 0 J"));
-    let zero = Value::Known(mdr::answer::Number::Double(-0.0));
+    let zero = Value::Known(mdr::answer::Number::F64(-0.0));
     assert_eq!((zero.to_string(), serde_json::to_string(&zero).expect("a number")), ("0".to_owned(), "0.0".to_owned()));
 }

@@ -9,7 +9,7 @@ use mdr::{Validity, no_files};
 
 fn contact<X: Exact + Clone>(shape: Shape<X>, e_star: &str, work: &str) -> Scene {
     let elasticity = Elasticity::effective(e_star).expect("a number");
-    Scene::new(shape, elasticity, work).expect("a contact").arithmetic(Arithmetic::Double)
+    Scene::new(shape, elasticity, work).expect("a contact").arithmetic(Arithmetic::F64)
 }
 
 fn validity<X: Exact + Clone>(shape: Shape<X>, e_star: &str, work: &str, range: &str) -> Validity {
@@ -30,7 +30,7 @@ fn a_scene_says_it_wherever_the_range_stands() {
     let built = validity(Shape::Paraboloid { radius: "1e-8" }, "5e9", "0.05", "3e-10");
     for text in [SCENE, &moved] {
         let scene =
-            Scene::from_toml(text, "tip.toml", &no_files).expect("a scene").in_arithmetic(Some(Arithmetic::Double));
+            Scene::from_toml(text, "tip.toml", &no_files).expect("a scene").in_arithmetic(Some(Arithmetic::F64));
         let answer = scene.solve().expect("an answer");
         let found = answer.validity.as_deref().expect("asked for");
         assert_eq!(found.tabor, built.tabor);
@@ -39,7 +39,7 @@ fn a_scene_says_it_wherever_the_range_stands() {
         assert!(answer.to_json().contains(r#""validity":{"range_of_adhesion":""#));
     }
     let without = Scene::from_toml(&SCENE.replace("range_of_adhesion = \"0.3 nm\"\n", ""), "tip.toml", &no_files);
-    let without = without.expect("a scene").in_arithmetic(Some(Arithmetic::Double));
+    let without = without.expect("a scene").in_arithmetic(Some(Arithmetic::F64));
     assert!(without.solve().expect("an answer").validity.is_none());
 }
 
@@ -108,7 +108,7 @@ fn a_formula_and_a_table_have_an_answer() {
     let rows: String = (0..=200).map(|i| f64::from(i) / 200.0).map(|r| format!("{r},{}\n", r * r / 2.0)).collect();
     let files = |_: &str| Ok(rows.clone().into_bytes());
     for text in [formula, table] {
-        let scene = Scene::from_toml(&text, "tip.toml", &files).expect("a scene").arithmetic(Arithmetic::Double);
+        let scene = Scene::from_toml(&text, "tip.toml", &files).expect("a scene").arithmetic(Arithmetic::F64);
         let found = scene.validity().expect("an answer");
         let ratio = double(&found.maugis_dugdale_pull_off) / double(&paraboloid.maugis_dugdale_pull_off);
         assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
@@ -133,7 +133,7 @@ fn a_power_law_has_it_beside_its_critical_state() {
     let [n, c, work, range] = ["2", "5e7", "0.05", "3e-10"].map(|text| text.parse::<Literal>().expect("a number"));
     let elasticity = Elasticity::effective("5e9").expect("a number");
     let law = PowerLaw { n, c, elasticity, work_of_adhesion: work, control: Control::Indentation };
-    let answer = critical(&law, Arithmetic::Double).expect("an answer");
+    let answer = critical(&law, Arithmetic::F64).expect("an answer");
     assert!(answer.validity.is_none());
     let found = answer.with_range(&range).expect("an answer").validity.expect("asked for");
     let paraboloid = validity(Shape::Paraboloid { radius: "1e-8" }, "5e9", "0.05", "3e-10");

@@ -28,7 +28,7 @@ fn for_reader(answer: &Answer, style: &NumberStyle) -> String {
     let digits = match answer.arithmetic {
         Arithmetic::Certified { digits: 1 } => "1 digit".to_owned(),
         Arithmetic::Certified { digits } => format!("{digits} digits"),
-        Arithmetic::Double => "f64".to_owned(),
+        Arithmetic::F64 => "f64".to_owned(),
     };
     let control = answer.control.map_or_else(String::new, |control| format!("; controlled: {}", control.name()));
     let medium = answer.medium.map_or_else(String::new, |medium| format!("; medium: {medium}"));

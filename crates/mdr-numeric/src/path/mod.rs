@@ -17,7 +17,7 @@ use std::cmp::Ordering;
 
 use mdr_core::contact::{Edge, Equilibrium, Result};
 use mdr_core::named;
-use mdr_core::number::Real;
+use mdr_core::number::{Literal, Real};
 
 use crate::admissible::Ring;
 use crate::branch::EquilibriumBranches;
@@ -25,9 +25,9 @@ use crate::branch::EquilibriumBranches;
 pub use energy::{Balance, Dissipation, EventEnergy, PathEnergy, stored};
 pub use pinned::{EdgeEnergies, EdgeLoss, Edges};
 
-/// The equilibrium at the first way point with which a path begins.
+/// The equilibrium at the first way point with which a path begins; of a scene, with a radius as exact as it is written.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Start<R> {
+pub enum Start<R = Literal> {
     /// The stable equilibrium with the largest radius.
     Largest,
     /// The stable equilibrium with the smallest radius.

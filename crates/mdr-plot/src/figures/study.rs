@@ -22,7 +22,7 @@ pub(super) fn critical(n: &str, c: &str) -> Result<[f64; 4]> {
     let [n, c, work_of_adhesion] = [n.exact()?, c.exact()?, 1.exact()?];
     let elasticity = Elasticity::effective("1")?;
     let law = PowerLaw { n, c, elasticity, work_of_adhesion, control: Control::Indentation };
-    let answer = mdr::critical(&law, Arithmetic::Double)?;
+    let answer = mdr::critical(&law, Arithmetic::F64)?;
     let state = answer.state.ok_or_else(|| missing("folds", "there is no critical state".to_owned()))?;
     let [a, d, force] = state.values().map(|value| value.to_f64().unwrap_or(f64::NAN));
     Ok([answer.kappa.to_f64(), a, d, force])
@@ -36,7 +36,7 @@ impl Study {
     /// The contact as far as the axis of radii reaches, measured in these units, with its equilibria at some indentations.
     pub(super) fn new(scene: Scene, units: [f64; 2], depths: &[f64], panel: Panel) -> Result<Self> {
         let at = depths.iter().map(|depth| depth.exact()).collect::<std::result::Result<_, _>>()?;
-        let scene = scene.want(Want::Equilibria { at }).arithmetic(Arithmetic::Double);
+        let scene = scene.want(Want::Equilibria { at }).arithmetic(Arithmetic::F64);
         let diagram = scene.diagram_up_to(panel.x.range().1 * units[0])?;
         Ok(Study { sides: Balance { diagram: Cow::Owned(diagram), units }, panel })
     }

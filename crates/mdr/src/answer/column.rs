@@ -63,7 +63,7 @@ impl Output {
     /// let scene = Scene::new(tip, Elasticity::effective("1e6")?, "0.05")?
     ///     .control(Control::Force)
     ///     .want(Want::Equilibria { at: vec!["-1e-3".parse().unwrap()] })
-    ///     .arithmetic(Arithmetic::Double);
+    ///     .arithmetic(Arithmetic::F64);
     /// let answer = scene.solve()?;
     /// assert_eq!(answer.outputs[0].title("contact_radius", answer.control), ("contact radius", "m"));
     /// assert_eq!(answer.outputs[0].title("value", answer.control), ("value", "N"));

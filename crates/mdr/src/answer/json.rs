@@ -61,7 +61,7 @@ fn promises(answer: &Answer) -> Vec<(&'static str, &'static str)> {
         promises.push((output.kind().name(), output.promise()));
         promises.extend(output.exceptions());
     }
-    let of_basis = |basis| if basis == Basis::Bound { answer.promise() } else { Promise::Double };
+    let of_basis = |basis| if basis == Basis::Bound { answer.promise() } else { Promise::F64 };
     promises.extend(answer.admissibility.map(|basis| ("admissible", of_basis(basis))));
     promises.extend(answer.validity.as_ref().map(|validity| ("validity", validity.promise())));
     promises.into_iter().map(|(field, promise)| (field, promise.name())).collect()
@@ -139,7 +139,7 @@ impl Serialize for Number {
         match self {
             Number::Certified(decimal) | Number::Estimated(decimal) => serializer.serialize_str(&decimal.to_string()),
             // −0 is written as 0.
-            Number::Double(value) => serializer.serialize_f64(*value + 0.0),
+            Number::F64(value) => serializer.serialize_f64(*value + 0.0),
         }
     }
 }

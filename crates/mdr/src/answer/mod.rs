@@ -36,7 +36,7 @@ use crate::validity::Validity;
 /// let scene = Scene::new(Shape::Paraboloid { radius: "0.01" }, Elasticity::effective("1e6")?, "0.05")?
 ///     .control(Control::Force)
 ///     .want(Want::Folds { range: None })
-///     .arithmetic(Arithmetic::Double);
+///     .arithmetic(Arithmetic::F64);
 /// let answer = scene.solve()?;
 /// let pull_off = answer.folds().expect("wanted").items[0].force.to_f64().expect("a number");
 /// assert!((pull_off / (-1.5 * std::f64::consts::PI * 0.05 * 0.01) - 1.0).abs() < 1e-14, "JKR: −3/2 π w R");

@@ -207,7 +207,7 @@ impl<T> List<T> {
     /// The items of another list after those of this one, with the weaker promise and the weaker claim of completeness.
     pub(crate) fn and(mut self, other: Self) -> Self {
         self.items.extend(other.items);
-        if self.promise == Promise::Certified || other.promise == Promise::Double {
+        if self.promise == Promise::Certified || other.promise == Promise::F64 {
             self.promise = other.promise;
         }
         if self.complete.as_ref().is_none_or(|complete| complete.proved) {

@@ -10,7 +10,7 @@ named! {
     /// How far a number can be trusted.
     pub enum Promise {
         /// Hardware arithmetic: accurate to some roundings times the condition of the question; nothing is proved.
-        Double = "f64",
+        F64 = "f64",
         /// Two working precisions agree on every printed digit; the error is estimated, not proved.
         Estimated = "mp",
         /// Every printed digit is proved, and the last is correctly rounded.
@@ -26,7 +26,7 @@ pub enum Number {
     /// Two precisions agree on these digits.
     Estimated(Decimal),
     /// A double.
-    Double(f64),
+    F64(f64),
 }
 
 impl Number {
@@ -35,7 +35,7 @@ impl Number {
         match self {
             Number::Certified(_) => Promise::Certified,
             Number::Estimated(_) => Promise::Estimated,
-            Number::Double(_) => Promise::Double,
+            Number::F64(_) => Promise::F64,
         }
     }
 
@@ -43,7 +43,7 @@ impl Number {
     pub fn to_f64(&self) -> f64 {
         match self {
             Number::Certified(decimal) | Number::Estimated(decimal) => decimal.to_f64(),
-            Number::Double(value) => *value,
+            Number::F64(value) => *value,
         }
     }
 }
@@ -54,9 +54,9 @@ impl fmt::Display for Number {
         match self {
             Number::Certified(decimal) | Number::Estimated(decimal) => decimal.fmt(f),
             // −0 is no other number than 0.
-            Number::Double(0.0) => f.write_str("0"),
-            Number::Double(value) if (1e-6..1e16).contains(&value.abs()) => write!(f, "{value}"),
-            Number::Double(value) => write!(f, "{value:e}"),
+            Number::F64(0.0) => f.write_str("0"),
+            Number::F64(value) if (1e-6..1e16).contains(&value.abs()) => write!(f, "{value}"),
+            Number::F64(value) => write!(f, "{value:e}"),
         }
     }
 }
@@ -156,7 +156,7 @@ impl Value {
     ///
     /// ```
     /// use mdr::answer::{Number, Value};
-    /// assert_eq!(Value::Known(Number::Double(-0.25)).to_f64(), Some(-0.25));
+    /// assert_eq!(Value::Known(Number::F64(-0.25)).to_f64(), Some(-0.25));
     /// assert_eq!(Value::<Number>::Given("1/4".parse()?).to_f64(), Some(0.25));
     /// # Ok::<(), mdr_core::number::LiteralError>(())
     /// ```
@@ -165,7 +165,7 @@ impl Value {
             Value::Known(number @ (Number::Certified(decimal) | Number::Estimated(decimal))) => {
                 (number.to_f64(), decimal.is_zero())
             }
-            Value::Known(Number::Double(value)) => (*value, true),
+            Value::Known(Number::F64(value)) => (*value, true),
             Value::Given(literal) => (literal.nearest_f64(), literal.is_zero()),
             Value::Unknown { .. } => return None,
         };

@@ -43,10 +43,10 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
         }
         _ => None,
     };
-    let known = |value: f64| Value::Known(Number::Double(value));
+    let known = |value: f64| Value::Known(Number::F64(value));
     let inputs = law.inputs(|literal| known(literal.nearest_f64()), || known(e_star));
-    let kappa = Number::Double(double::kappa(n)?);
-    Ok(CriticalAnswer::new(law, Arithmetic::Double, regime, inputs, kappa, folds, threshold))
+    let kappa = Number::F64(double::kappa(n)?);
+    Ok(CriticalAnswer::new(law, Arithmetic::F64, regime, inputs, kappa, folds, threshold))
 }
 
 /// The folds in digits, for a state that takes more words than hardware arithmetic has, or exponents beyond its range.
@@ -122,7 +122,7 @@ fn representable(value: f64) -> Option<f64> {
 
 fn ranged(value: Ranged<f64>) -> Value {
     match value {
-        Ranged::Value(value) => Value::Known(Number::Double(value)),
+        Ranged::Value(value) => Value::Known(Number::F64(value)),
         Ranged::Overflow { log10 } | Ranged::Underflow { log10 } => Value::out_of_range(log10),
     }
 }
@@ -131,8 +131,8 @@ fn ranged(value: Ranged<f64>) -> Value {
 #[cfg(feature = "mp")]
 fn rounded(number: Number) -> Value {
     match (representable(number.to_f64()), number) {
-        (Some(value), _) => Value::Known(Number::Double(value)),
+        (Some(value), _) => Value::Known(Number::F64(value)),
         (None, Number::Certified(decimal)) if !decimal.is_zero() => Value::out_of_range(decimal.log10_f64()),
-        (None, _) => Value::Known(Number::Double(0.0)),
+        (None, _) => Value::Known(Number::F64(0.0)),
     }
 }

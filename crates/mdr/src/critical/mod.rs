@@ -153,7 +153,7 @@ fn first_trouble<'a>(values: impl IntoIterator<Item = &'a Value>) -> Status {
 /// let [n, c, work] = ["1/2", "1e-3", "0.05"].map(|text| text.parse().unwrap());
 /// let elasticity = Elasticity::effective("1e6")?;
 /// let law = PowerLaw { n, c, elasticity, work_of_adhesion: work, control: Control::Indentation };
-/// let answer = critical(&law, Arithmetic::Double)?;
+/// let answer = critical(&law, Arithmetic::F64)?;
 /// assert!(answer.state.is_none() && answer.threshold.is_some());
 /// # Ok::<(), mdr::Error>(())
 /// ```
@@ -162,7 +162,7 @@ fn first_trouble<'a>(values: impl IntoIterator<Item = &'a Value>) -> Status {
 /// [`Error::Domain`] for an input out of its domain, and in f64 out of its range.
 pub fn critical(law: &PowerLaw, arithmetic: Arithmetic) -> Result<CriticalAnswer> {
     match arithmetic {
-        Arithmetic::Double => Ok(double::answer(law)?),
+        Arithmetic::F64 => Ok(double::answer(law)?),
         #[cfg(feature = "mp")]
         Arithmetic::Certified { digits } => Ok(certified(law, digits)?),
         #[cfg(not(feature = "mp"))]
@@ -260,7 +260,7 @@ impl PowerLaw {
         const MORE: u32 = 10;
         let digits = match arithmetic {
             Arithmetic::Certified { digits } => digits + MORE,
-            Arithmetic::Double => 17,
+            Arithmetic::F64 => 17,
         };
         let slope = (1..=8).find_map(|attempt| {
             let angle = Interval::from_literal(Precision::from_digits(attempt * (digits + MORE)), degrees);

@@ -83,7 +83,7 @@ impl CriticalAnswer {
     ///     "c" | "e_star" | "work" => Some("1"),
     ///     _ => None,
     /// })?;
-    /// let rows = critical(&law, Arithmetic::Double)?.rows();
+    /// let rows = critical(&law, Arithmetic::F64)?.rows();
     /// assert_eq!((rows.len(), rows[0].get("control"), rows[0].get("status")), (1, Some("indentation"), Some("ok")));
     /// # Ok::<(), mdr::Error>(())
     /// ```

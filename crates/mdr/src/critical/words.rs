@@ -26,7 +26,7 @@ impl CriticalAnswer {
         let promise = match self.arithmetic {
             Arithmetic::Certified { digits: 1 } => "1 certified digit".to_owned(),
             Arithmetic::Certified { digits } => format!("{digits} certified digits"),
-            Arithmetic::Double => "f64".to_owned(),
+            Arithmetic::F64 => "f64".to_owned(),
         };
         format!(
             "Profile f(r) = C r^n, n = {}, C = {}; E* = {} Pa{bodies}; w = {} J/m²; {control}; {promise}",

@@ -14,7 +14,7 @@ pub use mdr_core::contact::Equilibrium;
 pub use mdr_numeric::folds::SearchQuality;
 
 /// A state in the planes of the pictures: contact radius, indentation depth, force.
-pub use crate::double::State;
+pub use crate::columns::State;
 pub use sampling::CurveSample;
 
 use sampling::samples;

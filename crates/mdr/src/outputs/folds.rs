@@ -88,7 +88,7 @@ fn no_range(scene: &Scene, kind: OutputKind, _drawn: bool) -> Option<&'static st
     if !moves && !scene.has(|other| other == kind) {
         return Some("neither folds nor equilibria nor a path are wanted");
     }
-    if scene.arithmetic == Arithmetic::Double {
+    if scene.arithmetic == Arithmetic::F64 {
         return Some("nothing is proved in f64");
     }
     #[cfg(feature = "mp")]

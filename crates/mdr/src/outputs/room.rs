@@ -144,7 +144,7 @@ impl<'a> Open<'a> {
     pub(crate) fn new(scene: &'a Scene, error: &'a Error) -> Self {
         let promise = match scene.arithmetic {
             Arithmetic::Certified { .. } => Promise::Estimated,
-            Arithmetic::Double => Promise::Double,
+            Arithmetic::F64 => Promise::F64,
         };
         Open { scene, error, promise, why: error.to_string() }
     }

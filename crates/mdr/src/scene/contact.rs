@@ -16,7 +16,7 @@ use mdr_numeric::transform::Quadrature;
 #[cfg(feature = "mp")]
 use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
 
-use super::{Formula, Medium, Profile, Scene};
+use super::{ExactMedium, Formula, Profile, Scene};
 use crate::solve::GradedReal;
 use crate::solve::media;
 
@@ -57,7 +57,7 @@ impl SceneReal for rug::Float {
             crate::scene::Arithmetic::Certified { digits } => {
                 Some(Self::from_int(ctx, 2).powi(-crate::solve::digits::bits_of_quadratures(digits)))
             }
-            crate::scene::Arithmetic::Double => None,
+            crate::scene::Arithmetic::F64 => None,
         }
     }
 }
@@ -114,7 +114,7 @@ impl Scene {
     /// # #[cfg(feature = "mp")] {
     /// use mdr::prelude::*;
     /// use mdr_core::number::{Interval, Precision, Real};
-    /// let medium = Medium::Graded { exponent: "0.3".parse()?, stiffness: Grading::Coefficient("1".parse()?) };
+    /// let medium = ExactMedium::Graded { exponent: "0.3".parse()?, stiffness: Grading::Coefficient("1".parse()?) };
     /// let ball = Scene::new(Shape::Paraboloid { radius: "1" }, Elasticity::effective("1")?, "0.01")?.medium(medium)?;
     /// let precision = Precision::new(200);
     /// let contact = ball.contact_in::<Interval>(precision)?;
@@ -173,6 +173,15 @@ impl Scene {
     }
 }
 
+/// A function of a program in another arithmetic than f64.
+pub(crate) fn not_in_f64() -> Error {
+    Error::Domain {
+        quantity: Quantity::Parameter("the profile"),
+        value: "a function of a program".to_owned(),
+        requirement: "one that has more digits than f64: a shape, a formula or a table; or ask for f64",
+    }
+}
+
 /// A name of a formula without a value.
 fn unnamed(error: ExpressionError) -> Error {
     Error::Domain {
@@ -217,6 +226,9 @@ pub(crate) fn by_formulas<R: Struve + Kappa>(
             })
         }
         Profile::Table(measured) => Box::new(measured.table.profile::<R>(ctx)?),
+        Profile::Function(function) => {
+            Box::new(Quadrature::new(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?))
+        }
         Profile::Wave(_) => {
             return Err(Error::Domain {
                 quantity: Quantity::Parameter("the profile"),
@@ -267,7 +279,7 @@ impl Profile {
     /// use mdr::prelude::*;
     /// // g = f on a Winkler foundation.
     /// let (ball, springs) = (Profile::Shape(Shape::Paraboloid { radius: "2".parse()? }), "1".parse()?);
-    /// let g = ball.transform_on::<f64>(&Medium::Winkler { modulus: springs }, (), &mut |number| number.nearest_f64())?;
+    /// let g = ball.transform_on::<f64>(&ExactMedium::Winkler { modulus: springs }, (), &mut |number| number.nearest_f64())?;
     /// assert!((g.g(&0.2)? - 0.01).abs() < 1e-17);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -276,7 +288,7 @@ impl Profile {
     /// A parameter out of the domain of the profile; a profile that the medium has no transform of.
     pub fn transform_on<R: Struve + Kappa + GradedReal>(
         &self,
-        medium: &Medium,
+        medium: &ExactMedium,
         ctx: R::Ctx,
         number: &mut dyn FnMut(&Literal) -> R,
     ) -> Result<Box<dyn Transform<R>>> {

@@ -59,7 +59,7 @@ fn of_profile(profile: &Profile, prefix: &str, inputs: &mut Vec<(String, &'stati
             let parameters = formula.parameters.iter();
             inputs.extend(parameters.map(|(name, value)| (format!("{prefix}{name}"), "", value.to_string())));
         }
-        Profile::Table(_) => {}
+        Profile::Table(_) | Profile::Function(_) => {}
         Profile::Wave(amplitude) => inputs.push((format!("{prefix}amplitude"), "m", amplitude.to_string())),
     }
 }

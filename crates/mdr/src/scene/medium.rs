@@ -13,23 +13,24 @@ use super::tree::Section;
 use super::{Scene, material};
 use crate::error::Result;
 
-/// What the profile is pressed into.
+/// The elastic medium below the profile of a scene, with numbers as exact as they are written. Computations turn it into a
+/// [`Medium`](mdr_numeric::medium::Medium) of one arithmetic.
 ///
 /// ```
 /// use mdr::prelude::*;
 /// // A ball on a Winkler foundation breaks under a dead load at −2πwR.
 /// let scene = Scene::new(Shape::Paraboloid { radius: "1" }, Elasticity::effective("1")?, "1e-3")?
-///     .medium(Medium::Winkler { modulus: "5".parse()? })?
+///     .medium(ExactMedium::Winkler { modulus: "5".parse()? })?
 ///     .control(Control::Force)
 ///     .want(Want::Folds { range: None })
-///     .arithmetic(Arithmetic::Double);
+///     .arithmetic(Arithmetic::F64);
 /// let force = scene.solve()?.folds().expect("wanted").items[0].force.to_f64().expect("a number");
 /// assert!((force / (-2e-3 * std::f64::consts::PI) - 1.0).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
-pub enum Medium {
+pub enum ExactMedium {
     /// A homogeneous half-space, of the modulus E* of the material.
     #[default]
     HalfSpace,
@@ -73,23 +74,23 @@ pub enum Grading {
     },
 }
 
-impl Medium {
+impl ExactMedium {
     /// The name of the kind in a scene.
     pub fn name(&self) -> &'static str {
         match self {
-            Medium::HalfSpace => "half-space",
-            Medium::Graded { .. } => "graded",
-            Medium::Winkler { .. } => "winkler",
-            Medium::Plane { .. } => "plane",
-            Medium::Periodic { .. } => "periodic",
+            ExactMedium::HalfSpace => "half-space",
+            ExactMedium::Graded { .. } => "graded",
+            ExactMedium::Winkler { .. } => "winkler",
+            ExactMedium::Plane { .. } => "plane",
+            ExactMedium::Periodic { .. } => "periodic",
         }
     }
 
     /// The unit of forces: N, or per length N/m, or per area Pa.
     pub fn force_unit(&self) -> &'static str {
         match self {
-            Medium::Plane { .. } => "N/m",
-            Medium::Periodic { .. } => "Pa",
+            ExactMedium::Plane { .. } => "N/m",
+            ExactMedium::Periodic { .. } => "Pa",
             _ => "N",
         }
     }
@@ -97,8 +98,8 @@ impl Medium {
     /// The key and the unit of its modulus: `e_star`, or `coefficient` of a graded half-space and `modulus` of a foundation.
     pub fn modulus_key(&self) -> (&'static str, SiUnit) {
         match self {
-            Medium::Graded { .. } => ("coefficient", SiUnit::Coefficient),
-            Medium::Winkler { .. } => ("modulus", SiUnit::PascalPerMetre),
+            ExactMedium::Graded { .. } => ("coefficient", SiUnit::Coefficient),
+            ExactMedium::Winkler { .. } => ("modulus", SiUnit::PascalPerMetre),
             _ => ("e_star", SiUnit::Pascal),
         }
     }
@@ -106,8 +107,8 @@ impl Medium {
     /// The unit of the controlled quantity.
     pub(crate) fn unit_of(&self, control: ControlKind) -> SiUnit {
         match (control, self) {
-            (ControlKind::Force, Medium::Plane { .. }) => SiUnit::NewtonPerMetre,
-            (ControlKind::Force, Medium::Periodic { .. }) => SiUnit::Pascal,
+            (ControlKind::Force, ExactMedium::Plane { .. }) => SiUnit::NewtonPerMetre,
+            (ControlKind::Force, ExactMedium::Periodic { .. }) => SiUnit::Pascal,
             _ => control.unit(),
         }
     }
@@ -115,52 +116,52 @@ impl Medium {
     /// The unit of the stiffness of a machine.
     pub(crate) fn unit_of_stiffness(&self) -> SiUnit {
         match self {
-            Medium::Plane { .. } => SiUnit::Pascal,
-            Medium::Periodic { .. } => SiUnit::PascalPerMetre,
+            ExactMedium::Plane { .. } => SiUnit::Pascal,
+            ExactMedium::Periodic { .. } => SiUnit::PascalPerMetre,
             _ => SiUnit::NewtonPerMetre,
         }
     }
 
     /// Whether it is the homogeneous half-space, of which closed forms and fits are.
     pub fn is_half_space(&self) -> bool {
-        *self == Medium::HalfSpace
+        *self == ExactMedium::HalfSpace
     }
 
     /// The medium, or the half-space where its grading is none, k = 0.
     #[must_use]
     pub fn without_grading(self) -> Self {
         match self {
-            Medium::Graded { exponent, .. } if exponent.is_zero() => Medium::HalfSpace,
+            ExactMedium::Graded { exponent, .. } if exponent.is_zero() => ExactMedium::HalfSpace,
             medium => medium,
         }
     }
 
     /// Whether a contact has a depth: that of a line contact is only against a reference.
     pub fn has_depth(&self) -> bool {
-        !matches!(self, Medium::Plane { reference: None })
+        !matches!(self, ExactMedium::Plane { reference: None })
     }
 
     /// k of a graded half-space, in f64.
     pub(crate) fn exponent_of_grade(&self) -> Option<f64> {
         match self {
-            Medium::Graded { exponent, .. } => Some(exponent.nearest_f64()),
+            ExactMedium::Graded { exponent, .. } => Some(exponent.nearest_f64()),
             _ => None,
         }
     }
 
     /// Whether it is in contact along a strip in each period.
     pub fn is_periodic(&self) -> bool {
-        matches!(self, Medium::Periodic { .. })
+        matches!(self, ExactMedium::Periodic { .. })
     }
 
     /// Whether its contacts are strips.
     pub(super) fn is_of_strips(&self) -> bool {
-        matches!(self, Medium::Plane { .. } | Medium::Periodic { .. })
+        matches!(self, ExactMedium::Plane { .. } | ExactMedium::Periodic { .. })
     }
 
     /// Whether E* of the material is of use.
     pub(super) fn needs_modulus(&self) -> bool {
-        !matches!(self, Medium::Graded { .. } | Medium::Winkler { .. })
+        !matches!(self, ExactMedium::Graded { .. } | ExactMedium::Winkler { .. })
     }
 
     /// Reads a table `[medium]`.
@@ -173,13 +174,13 @@ impl Medium {
         let kinds: Vec<(&'static str, usize)> = names.into_iter().zip(0..).collect();
         let length = |key| section.optional(key).map(|value| value.positive(SiUnit::Metre)).transpose();
         let medium = match kind.choice("medium", &kinds)? {
-            0 => Medium::HalfSpace,
+            0 => ExactMedium::HalfSpace,
             1 => graded(section)?,
-            2 => Medium::Winkler { modulus: section.required("modulus")?.positive(SiUnit::PascalPerMetre)? },
-            3 => Medium::Plane { reference: length("reference")? },
+            2 => ExactMedium::Winkler { modulus: section.required("modulus")?.positive(SiUnit::PascalPerMetre)? },
+            3 => ExactMedium::Plane { reference: length("reference")? },
             _ => {
                 let wavelength = section.required("wavelength")?.positive(SiUnit::Metre)?;
-                Medium::Periodic { wavelength, flaw: length("flaw")? }
+                ExactMedium::Periodic { wavelength, flaw: length("flaw")? }
             }
         };
         section.finish()?;
@@ -189,8 +190,8 @@ impl Medium {
     /// The medium, if its numbers are in their domains; a grading of k = 0 is the half-space, but for its stiffness.
     pub(crate) fn check(self, place: &dyn Fn(&'static str) -> Location) -> Result<Self> {
         match &self {
-            Medium::HalfSpace => {}
-            Medium::Graded { exponent, stiffness } => {
+            ExactMedium::HalfSpace => {}
+            ExactMedium::Graded { exponent, stiffness } => {
                 let within = |bound: i64| exponent.compare(&Literal::from(bound));
                 if within(-1) != Ordering::Greater || within(1) != Ordering::Less {
                     let given = exponent.to_string();
@@ -214,13 +215,13 @@ impl Medium {
                     }
                 }
             }
-            Medium::Winkler { modulus } => drop(place("modulus").require_positive(modulus.clone())?),
-            Medium::Plane { reference } => {
+            ExactMedium::Winkler { modulus } => drop(place("modulus").require_positive(modulus.clone())?),
+            ExactMedium::Plane { reference } => {
                 if let Some(reference) = reference {
                     place("reference").require_positive(reference.clone())?;
                 }
             }
-            Medium::Periodic { wavelength, flaw } => {
+            ExactMedium::Periodic { wavelength, flaw } => {
                 place("wavelength").require_positive(wavelength.clone())?;
                 if let Some(flaw) = flaw {
                     let flaw = place("flaw").require_positive(flaw.clone())?;
@@ -237,8 +238,8 @@ impl Medium {
     /// Its numbers with the keys they have in a scene.
     pub(super) fn numbers(&self) -> Vec<(&'static str, &Literal)> {
         match self {
-            Medium::HalfSpace => Vec::new(),
-            Medium::Graded { exponent, stiffness } => {
+            ExactMedium::HalfSpace => Vec::new(),
+            ExactMedium::Graded { exponent, stiffness } => {
                 let mut numbers = vec![("medium.exponent", exponent)];
                 match stiffness {
                     Grading::Coefficient(c) => numbers.push(("medium.coefficient", c)),
@@ -251,9 +252,9 @@ impl Medium {
                 }
                 numbers
             }
-            Medium::Winkler { modulus } => vec![("medium.modulus", modulus)],
-            Medium::Plane { reference } => reference.iter().map(|number| ("medium.reference", number)).collect(),
-            Medium::Periodic { wavelength, flaw } => {
+            ExactMedium::Winkler { modulus } => vec![("medium.modulus", modulus)],
+            ExactMedium::Plane { reference } => reference.iter().map(|number| ("medium.reference", number)).collect(),
+            ExactMedium::Periodic { wavelength, flaw } => {
                 let flaw = flaw.iter().map(|number| ("medium.flaw", number));
                 [("medium.wavelength", wavelength)].into_iter().chain(flaw).collect()
             }
@@ -265,7 +266,7 @@ impl Medium {
         match (self, key) {
             (_, "medium.exponent" | "medium.nu") => "",
             (_, "medium.coefficient") => "N/m^(2+k)",
-            (Medium::Winkler { .. }, _) => "Pa/m",
+            (ExactMedium::Winkler { .. }, _) => "Pa/m",
             (_, "medium.modulus") => "Pa",
             _ => "m",
         }
@@ -273,7 +274,7 @@ impl Medium {
 }
 
 /// By its coefficient, or by the modulus at a depth.
-fn graded(section: &Section<'_>) -> Result<Medium> {
+fn graded(section: &Section<'_>) -> Result<ExactMedium> {
     let exponent = section.required("exponent")?.number(SiUnit::One)?;
     let stiffness = match section.one_of(&["coefficient", "modulus", "body"])? {
         (0, coefficient) => Grading::Coefficient(coefficient.positive(SiUnit::Coefficient)?),
@@ -291,7 +292,7 @@ fn graded(section: &Section<'_>) -> Result<Medium> {
             Grading::Moduli { depth: section.required("depth")?.positive(SiUnit::Metre)?, bodies }
         }
     };
-    Ok(Medium::Graded { exponent, stiffness })
+    Ok(ExactMedium::Graded { exponent, stiffness })
 }
 
 impl Scene {
@@ -301,7 +302,7 @@ impl Scene {
     ///
     /// # Errors
     /// A number of the medium that is out of its domain.
-    pub fn medium(mut self, medium: Medium) -> Result<Self> {
+    pub fn medium(mut self, medium: ExactMedium) -> Result<Self> {
         let medium = medium.check(&|key| Location::built(&format!("medium.{key}")))?;
         let numbers = medium.numbers();
         self.places.numbers.extend(numbers.into_iter().map(|(key, number)| (number.clone(), Location::built(key))));
@@ -309,14 +310,14 @@ impl Scene {
     }
 
     /// On a medium that has been checked: with k = 0 it is the half-space of E* = c.
-    pub(super) fn on(mut self, medium: Medium) -> Self {
+    pub(super) fn on(mut self, medium: ExactMedium) -> Self {
         match medium {
-            Medium::Graded { exponent, stiffness } if exponent.is_zero() => {
+            ExactMedium::Graded { exponent, stiffness } if exponent.is_zero() => {
                 if let Some(modulus) = homogeneous(&stiffness) {
                     self.effective_modulus = modulus;
                     return self;
                 }
-                self.medium = Medium::Graded { exponent, stiffness };
+                self.medium = ExactMedium::Graded { exponent, stiffness };
             }
             medium => self.medium = medium,
         }
@@ -324,14 +325,14 @@ impl Scene {
     }
 
     /// The medium.
-    pub fn pressed_into(&self) -> &Medium {
+    pub fn pressed_into(&self) -> &ExactMedium {
         &self.medium
     }
 
     /// Whether profile, control and outputs are such as the medium has.
     pub(super) fn check_medium(&self) -> Result<()> {
         self.check_profile_on_medium()?;
-        if let Medium::Plane { reference: None } = self.medium
+        if let ExactMedium::Plane { reference: None } = self.medium
             && (self.names_control() && self.control != Control::Force)
         {
             let why = "a line contact has no depth of its own; measure it against a point of the surface, [medium] reference = \
@@ -350,7 +351,7 @@ impl Scene {
 
     pub(crate) fn check_profile_on_medium(&self) -> Result<()> {
         match (&self.profile, &self.medium) {
-            (Profile::Wave(_), Medium::Periodic { .. }) => Ok(()),
+            (Profile::Wave(_), ExactMedium::Periodic { .. }) => Ok(()),
             (Profile::Wave(_), other) => {
                 let why = format!(
                     "a wave is periodic and needs [medium] kind = \"periodic\" with its wavelength; here the medium is \"{}\", \
@@ -359,13 +360,13 @@ impl Scene {
                 );
                 Err(self.places.of("profile").refuse(why))
             }
-            (Profile::Formula(_), Medium::Periodic { .. }) => Ok(()),
-            (Profile::Table(_) | Profile::Sum(_), Medium::Periodic { .. }) => {
-                let why = "measured rows and sums are not periodic; on a periodic medium take kind = \"wave\" or a periodic \
+            (Profile::Formula(_), ExactMedium::Periodic { .. }) => Ok(()),
+            (Profile::Table(_) | Profile::Function(_) | Profile::Sum(_), ExactMedium::Periodic { .. }) => {
+                let why = "measured rows, functions and sums are not periodic; on a periodic medium take kind = \"wave\" or a periodic \
                            formula";
                 Err(self.places.of("profile").refuse(why))
             }
-            (Profile::Shape(shape), Medium::Periodic { .. }) => {
+            (Profile::Shape(shape), ExactMedium::Periodic { .. }) => {
                 let why = format!(
                     "\"{}\" is not periodic; on a periodic medium take kind = \"wave\" or a periodic formula",
                     shape.name()

@@ -29,15 +29,17 @@ use crate::solve;
 use crate::validity::{self, Validity};
 
 pub use contact::SceneReal;
-pub(crate) use contact::{Formulas, by_formulas, transform_in_doubles};
+pub(crate) use contact::{Formulas, by_formulas, not_in_f64, transform_in_doubles};
 pub use measured::Measured;
-pub use medium::{Grading, Medium};
+pub use medium::{ExactMedium, Grading};
 pub(crate) use place::{Location, Places};
 pub use profile::{Formula, IntoProfile, Profile};
 use read::FEWER_WAY_POINTS;
 pub use read::no_files;
 pub use tree::Files;
 pub use want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, MOST_ROWS, MOST_WAY_POINTS};
+
+pub use mdr_numeric::path::Start;
 
 pub use crate::outputs::{POINTS, Want};
 
@@ -48,9 +50,6 @@ pub(crate) use material::exactly;
 #[cfg(feature = "mp")]
 pub(crate) use place::double;
 
-/// The state at the first way point of a path.
-pub type Start = mdr_numeric::path::Start<Literal>;
-
 /// A contact and the requested outputs. All numbers are exact as written, in SI units.
 ///
 /// ```
@@ -60,7 +59,7 @@ pub type Start = mdr_numeric::path::Start<Literal>;
 /// let scene = Scene::new(tip, Elasticity::effective("1")?, "1e-4")?
 ///     .path(["0", "-0.01"])?
 ///     .want(Want::Path)
-///     .arithmetic(Arithmetic::Double);
+///     .arithmetic(Arithmetic::F64);
 /// let answer = scene.solve()?;
 /// let path = answer.path().expect("wanted");
 /// let jump = path.events.items.iter().find(|event| event.event == EventKind::Jump).expect("a jump");
@@ -83,7 +82,7 @@ pub struct Scene {
     pub(crate) range_of_adhesion: Option<Literal>,
     has_material: bool,
     has_control: bool,
-    pub(crate) medium: Medium,
+    pub(crate) medium: ExactMedium,
     pub(crate) profile: Profile,
     pub(crate) control: Control<Literal>,
     /// Way points of the controlled quantity; empty when there is no path.
@@ -133,7 +132,7 @@ impl Scene {
             range_of_adhesion: None,
             has_material: false,
             has_control: false,
-            medium: Medium::default(),
+            medium: ExactMedium::default(),
             profile,
             control: Control::Indentation,
             path: Vec::new(),
@@ -160,7 +159,7 @@ impl Scene {
     ///     .path(["-0.2", "0.05", "-0.2"])?
     ///     .start(Start::Detached)
     ///     .want(Want::Path)
-    ///     .arithmetic(Arithmetic::Double);
+    ///     .arithmetic(Arithmetic::F64);
     /// let answer = path.solve()?;
     /// let kinds: Vec<&str> = answer.path().expect("wanted").events.items.iter().map(|event| event.event.name()).collect();
     /// assert_eq!(kinds, ["start", "jump-in", "way-point", "pinned", "depinned", "detached", "end"]);
@@ -207,7 +206,7 @@ impl Scene {
     /// let scene = Scene::new(Shape::Paraboloid { radius: "1e-8" }, Elasticity::effective("5e9")?, "0.05")?
     ///     .range_of_adhesion("0.3e-9")?
     ///     .want(Want::Folds { range: None })
-    ///     .arithmetic(Arithmetic::Double);
+    ///     .arithmetic(Arithmetic::F64);
     /// let validity = scene.solve()?.validity.expect("asked for");
     /// assert_eq!(validity.regime.name(), "transition");
     /// assert!((validity.tabor.to_f64().expect("a number") - 0.3333).abs() < 1e-4);
@@ -374,6 +373,10 @@ impl Scene {
     /// Whether this build can answer in the requested arithmetic.
     fn check_arithmetic(&self) -> Result<()> {
         match self.arithmetic {
+            Arithmetic::Certified { .. } if self.profile.has_function() => {
+                let why = "a function of a program is computed in f64, and so is the answer: ask for Arithmetic::F64";
+                Err(self.places.of("profile").refuse(why))
+            }
             Arithmetic::Certified { digits } if !(1..=MAX_DIGITS).contains(&digits) => {
                 Err(Location::built("output.digits")
                     .refuse(format!("must be a whole number from 1 to {MAX_DIGITS}, got {digits}")))
@@ -381,7 +384,7 @@ impl Scene {
             Arithmetic::Certified { .. } if cfg!(not(feature = "mp")) => {
                 Err(Error::NeedsMp { what: "an answer in certified digits" })
             }
-            Arithmetic::Double => self.places.require_doubles("ask for certified digits"),
+            Arithmetic::F64 => self.places.require_doubles("ask for certified digits"),
             Arithmetic::Certified { .. } => Ok(()),
         }
     }

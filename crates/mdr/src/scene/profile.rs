@@ -8,6 +8,7 @@ use mdr_core::contact::{Expression, Flank, Profile as Height, Shape};
 use mdr_core::number::{Exact, Literal};
 use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
+use mdr_numeric::function::Function;
 
 use super::Location;
 use super::measured::Measured;
@@ -26,6 +27,8 @@ pub enum Profile {
     Formula(Formula),
     /// Measured rows, whose g is a sum over them.
     Table(Measured),
+    /// A function of a Rust program in f64, whose g is a quadrature. Scenes with one are answered in f64 alone.
+    Function(Function),
     /// A wave h₀(1 − cos 2πx/λ) on a periodic medium, which has λ: h₀, in m.
     Wave(Literal),
 }
@@ -63,6 +66,12 @@ impl IntoProfile for Formula {
 impl IntoProfile for Measured {
     fn into_profile(self) -> Result<Profile> {
         Ok(Profile::Table(self))
+    }
+}
+
+impl IntoProfile for Function {
+    fn into_profile(self) -> Result<Profile> {
+        Ok(Profile::Function(self))
     }
 }
 
@@ -160,6 +169,7 @@ impl Profile {
             Profile::Sum(_) => "sum",
             Profile::Formula(_) => "expression",
             Profile::Table(_) => "table",
+            Profile::Function(_) => "function",
             Profile::Wave(_) => "wave",
         }
     }
@@ -193,7 +203,7 @@ impl Profile {
         match self {
             Profile::Shape(_) | Profile::Wave(_) => true,
             Profile::Sum(terms) => terms.iter().all(Profile::is_closed),
-            Profile::Formula(_) | Profile::Table(_) => false,
+            Profile::Formula(_) | Profile::Table(_) | Profile::Function(_) => false,
         }
     }
 
@@ -202,7 +212,15 @@ impl Profile {
         match self {
             Profile::Shape(_) | Profile::Formula(_) | Profile::Wave(_) => true,
             Profile::Sum(terms) => terms.iter().all(Profile::is_enclosed),
-            Profile::Table(_) => false,
+            Profile::Table(_) | Profile::Function(_) => false,
+        }
+    }
+
+    /// Whether it is a function of a program, or a sum with one.
+    pub(crate) fn has_function(&self) -> bool {
+        match self {
+            Profile::Sum(terms) => terms.iter().any(Profile::has_function),
+            other => matches!(other, Profile::Function(_)),
         }
     }
 
@@ -211,7 +229,7 @@ impl Profile {
         match self {
             Profile::Sum(terms) => terms.iter().any(Profile::has_formula),
             Profile::Formula(_) => true,
-            Profile::Shape(_) | Profile::Table(_) | Profile::Wave(_) => false,
+            Profile::Shape(_) | Profile::Table(_) | Profile::Function(_) | Profile::Wave(_) => false,
         }
     }
 
@@ -249,7 +267,7 @@ impl Profile {
             Profile::Formula(formula) => {
                 formula.parameters.iter().map(|(name, number)| at((&format!("parameters.{name}"), number))).collect()
             }
-            Profile::Table(_) => Vec::new(),
+            Profile::Table(_) | Profile::Function(_) => Vec::new(),
             Profile::Wave(amplitude) => vec![at(("amplitude", amplitude))],
         }
     }
@@ -260,7 +278,7 @@ impl Profile {
             Profile::Shape(shape) => shape.units().into_iter().map(|(_, unit)| unit).collect(),
             Profile::Sum(terms) => terms.iter().flat_map(Profile::units).collect(),
             Profile::Formula(formula) => formula.parameters.keys().map(|_| SiUnit::Unstated).collect(),
-            Profile::Table(_) => Vec::new(),
+            Profile::Table(_) | Profile::Function(_) => Vec::new(),
             Profile::Wave(_) => vec![SiUnit::Metre],
         }
     }
@@ -277,7 +295,7 @@ impl Profile {
                 formula.parameters.values_mut().zip(numbers).for_each(|(number, other)| *number = other);
                 Profile::Formula(formula)
             }
-            Profile::Table(_) => self.clone(),
+            Profile::Table(_) | Profile::Function(_) => self.clone(),
             Profile::Wave(amplitude) => Profile::Wave(numbers.next().unwrap_or_else(|| amplitude.clone())),
         }
     }

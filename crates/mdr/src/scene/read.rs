@@ -7,7 +7,7 @@ use mdr_core::contact::{Body, Control, ControlKind};
 use mdr_core::number::Literal;
 use mdr_core::units::SiUnit;
 
-use super::medium::Medium;
+use super::medium::ExactMedium;
 use super::place::Places;
 use super::profile::Profile;
 use super::tree::{Files, Section, Value};
@@ -78,7 +78,7 @@ pub fn no_files(file: &str) -> io::Result<Vec<u8>> {
 fn read(top: &Section<'_>) -> Result<Scene> {
     let numbers = &top.document.numbers;
     let pressed = top.optional_section("medium")?;
-    let medium = pressed.as_ref().map(Medium::read).transpose()?.unwrap_or_default();
+    let medium = pressed.as_ref().map(ExactMedium::read).transpose()?.unwrap_or_default();
     let moduli = top.optional_section("material")?;
     let material_of = |section: &Section<'_>| material_of(section, &medium);
     let (modulus, work, range, works) = moduli.as_ref().map_or(Ok((1.into(), 1.into(), None, None)), material_of)?;
@@ -113,7 +113,7 @@ fn read(top: &Section<'_>) -> Result<Scene> {
     if let Some(arithmetic) = stated {
         scene.arithmetic = arithmetic;
     } else if !tables.is_empty() && scene.places.require_doubles("").is_ok() {
-        scene.arithmetic = Arithmetic::Double;
+        scene.arithmetic = Arithmetic::F64;
         scene.notes.push(DOUBLES_OF_TABLES.to_owned());
     }
     Ok(scene)
@@ -136,7 +136,7 @@ fn works_of(value: &Value<'_>) -> Result<(Literal, Works)> {
 type Works = Option<Box<[Literal; 2]>>;
 
 /// The table `[material]`: E*, w or w₂, the range of adhesion, and both works of adhesion if there are two.
-fn material_of(section: &Section<'_>, medium: &Medium) -> Result<(Literal, Literal, Option<Literal>, Works)> {
+fn material_of(section: &Section<'_>, medium: &ExactMedium) -> Result<(Literal, Literal, Option<Literal>, Works)> {
     let (work, works) = works_of(&section.required("work_of_adhesion")?)?;
     let given = section.optional("e_star").is_some() || section.optional("body").is_some();
     let modulus = match section.one_of(&["e_star", "body"]) {
@@ -275,7 +275,7 @@ fn arithmetic(section: &Section<'_>) -> Result<Option<Arithmetic>> {
         (Some(digits), None) => Ok(Some(Arithmetic::Certified { digits: digits.whole(1, MAX_DIGITS)? })),
         (None, Some(arithmetic)) => {
             let certified = Arithmetic::Certified { digits: DEFAULT_DIGITS };
-            arithmetic.choice("arithmetic", &[("f64", Arithmetic::Double), ("certified", certified)]).map(Some)
+            arithmetic.choice("arithmetic", &[("f64", Arithmetic::F64), ("certified", certified)]).map(Some)
         }
         (None, None) => Ok(None),
     }

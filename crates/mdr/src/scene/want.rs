@@ -17,7 +17,7 @@ pub enum Arithmetic {
         digits: u32,
     },
     /// Hardware numbers.
-    Double,
+    F64,
 }
 
 impl Arithmetic {
@@ -25,7 +25,7 @@ impl Arithmetic {
     pub fn promise(self) -> Promise {
         match self {
             Arithmetic::Certified { .. } => Promise::Certified,
-            Arithmetic::Double => Promise::Double,
+            Arithmetic::F64 => Promise::F64,
         }
     }
 
@@ -33,7 +33,7 @@ impl Arithmetic {
     pub fn digits(self) -> Option<u32> {
         match self {
             Arithmetic::Certified { digits } => Some(digits),
-            Arithmetic::Double => None,
+            Arithmetic::F64 => None,
         }
     }
 }

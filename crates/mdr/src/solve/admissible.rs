@@ -5,9 +5,9 @@ use std::sync::Arc;
 use mdr_core::contact::Transform;
 use mdr_numeric::admissible::{Admissibility, FirstTouch, NOT_SEARCHED, search_range};
 
-use crate::scene::{Medium, Profile, transform_in_doubles};
+use crate::scene::{ExactMedium, Profile, transform_in_doubles};
 
-/// Facts about a profile with a formula in it.
+/// Facts about a profile with a formula or a function in it.
 struct Known {
     /// Whether g falls nowhere.
     rises: bool,
@@ -18,7 +18,7 @@ struct Known {
 /// half-space it is known where g rises, as it does there for every f with a nondecreasing r f'.
 pub(crate) fn on_medium(
     profile: &Profile,
-    medium: &Medium,
+    medium: &ExactMedium,
     transform: Arc<dyn Transform<f64>>,
     length: f64,
     folds: &[f64],
@@ -32,7 +32,7 @@ pub(crate) fn on_medium(
 /// The admissibility of states on a half-space with folds at the given contact radii, for the length w/E*.
 fn admissibility(profile: &Profile, transform: Arc<dyn Transform<f64>>, length: f64, folds: &[f64]) -> Admissibility {
     let range = search_range(length, folds);
-    if !profile.has_formula() {
+    if !profile.has_formula() && !profile.has_function() {
         return Admissibility::new(transform, range);
     }
     let Known { rises, touch } = known(profile);
@@ -71,7 +71,7 @@ fn known(profile: &Profile) -> Known {
 
 /// Whether g of a profile is proved to fall nowhere.
 fn rises(profile: &Profile) -> bool {
-    if profile.has_formula() {
+    if profile.has_formula() || profile.has_function() {
         return known(profile).rises;
     }
     transform_in_doubles(profile).is_ok_and(|transform| transform.rises())

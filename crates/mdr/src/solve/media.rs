@@ -14,7 +14,7 @@ use mdr_numeric::transform::{LineLoad, Periodic, Powers, Wave, Weighted};
 
 use super::graded::GradedReal;
 use crate::answer::Output;
-use crate::scene::{Formulas, Grading, Medium, Profile, Scene, by_formulas};
+use crate::scene::{ExactMedium, Formulas, Grading, Profile, Scene, by_formulas, not_in_f64};
 
 /// c of a graded half-space: as given, or 1/c = z₀ᵏ Σ (1 − ν²)/(h_N E).
 fn stiffness_of_grade<R: GradedReal>(ctx: R::Ctx, k: &R, stiffness: &Grading) -> R {
@@ -40,8 +40,8 @@ fn stiffness_of_grade<R: GradedReal>(ctx: R::Ctx, k: &R, stiffness: &Grading) ->
 pub(crate) fn medium<R: GradedReal>(scene: &Scene, ctx: R::Ctx) -> Result<medium::Medium<R>> {
     let number = |literal: &Literal| R::from_literal(ctx, literal);
     medium_of(&scene.medium, ctx, || match &scene.medium {
-        Medium::Graded { exponent, stiffness } => stiffness_of_grade(ctx, &number(exponent), stiffness),
-        Medium::Winkler { modulus } => number(modulus),
+        ExactMedium::Graded { exponent, stiffness } => stiffness_of_grade(ctx, &number(exponent), stiffness),
+        ExactMedium::Winkler { modulus } => number(modulus),
         _ => number(&scene.effective_modulus),
     })
 }
@@ -51,28 +51,28 @@ pub(crate) fn medium<R: GradedReal>(scene: &Scene, ctx: R::Ctx) -> Result<medium
 /// # Errors
 /// A number out of its domain.
 pub(crate) fn medium_of<R: Special>(
-    medium: &Medium,
+    medium: &ExactMedium,
     ctx: R::Ctx,
     modulus: impl FnOnce() -> R,
 ) -> Result<medium::Medium<R>> {
     let number = |literal: &Literal| R::from_literal(ctx, literal);
     match medium {
-        Medium::Graded { exponent, .. } => medium::Medium::graded(modulus(), number(exponent)),
-        Medium::Winkler { .. } => medium::Medium::winkler(modulus()),
-        Medium::Plane { reference } => medium::Medium::plane(modulus(), reference.as_ref().map(number)),
-        Medium::Periodic { wavelength, .. } => medium::Medium::periodic(modulus(), number(wavelength)),
-        Medium::HalfSpace => medium::Medium::half_space(modulus()),
+        ExactMedium::Graded { exponent, .. } => medium::Medium::graded(modulus(), number(exponent)),
+        ExactMedium::Winkler { .. } => medium::Medium::winkler(modulus()),
+        ExactMedium::Plane { reference } => medium::Medium::plane(modulus(), reference.as_ref().map(number)),
+        ExactMedium::Periodic { wavelength, .. } => medium::Medium::periodic(modulus(), number(wavelength)),
+        ExactMedium::HalfSpace => medium::Medium::half_space(modulus()),
     }
 }
 
-impl Medium {
+impl ExactMedium {
     /// The modulus that the medium has itself, in one arithmetic: c of a graded half-space, K_w of a Winkler foundation. `None`
     /// where E* of the material is the modulus.
     ///
     /// ```
     /// use mdr::prelude::*;
-    /// assert_eq!(Medium::Winkler { modulus: "5".parse()? }.own_modulus::<f64>(())?, Some(5.0));
-    /// assert_eq!(Medium::HalfSpace.own_modulus::<f64>(())?, None);
+    /// assert_eq!(ExactMedium::Winkler { modulus: "5".parse()? }.own_modulus::<f64>(())?, Some(5.0));
+    /// assert_eq!(ExactMedium::HalfSpace.own_modulus::<f64>(())?, None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -82,8 +82,8 @@ impl Medium {
         let number = |literal: &Literal| R::from_literal(ctx, literal);
         let medium = self.clone().check(&|key| crate::scene::Location::built(&format!("medium.{key}")))?;
         Ok(match &medium {
-            Medium::Graded { exponent, stiffness } => Some(stiffness_of_grade(ctx, &number(exponent), stiffness)),
-            Medium::Winkler { modulus } => Some(number(modulus)),
+            ExactMedium::Graded { exponent, stiffness } => Some(stiffness_of_grade(ctx, &number(exponent), stiffness)),
+            ExactMedium::Winkler { modulus } => Some(number(modulus)),
             _ => None,
         })
     }
@@ -93,7 +93,7 @@ impl Medium {
     ///
     /// ```
     /// use mdr::prelude::*;
-    /// let springs = Medium::Winkler { modulus: "1".parse()? }.of_modulus((), 5.0)?;
+    /// let springs = ExactMedium::Winkler { modulus: "1".parse()? }.of_modulus((), 5.0)?;
     /// assert!((springs.stiffness(&1.0) / (5.0 * std::f64::consts::PI) - 1.0).abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -110,9 +110,9 @@ impl Scene {
     #[cfg(feature = "mp")]
     pub(crate) fn scale_of_forces(&self) -> Literal {
         match &self.medium {
-            Medium::Winkler { modulus } => modulus.clone(),
-            Medium::Graded { stiffness: Grading::Coefficient(c), .. } => c.clone(),
-            Medium::Graded { exponent, stiffness } => {
+            ExactMedium::Winkler { modulus } => modulus.clone(),
+            ExactMedium::Graded { stiffness: Grading::Coefficient(c), .. } => c.clone(),
+            ExactMedium::Graded { exponent, stiffness } => {
                 use mdr_core::number::Real;
                 let precision = mdr_core::number::Precision::new(64);
                 let c = stiffness_of_grade(precision, &Interval::from_literal(precision, exponent), stiffness);
@@ -126,7 +126,7 @@ impl Scene {
     pub(crate) fn is_closed(&self) -> bool {
         match &self.medium {
             medium if medium.is_half_space() => self.profile.is_closed(),
-            Medium::Periodic { .. } => matches!(self.profile, Profile::Wave(_)),
+            ExactMedium::Periodic { .. } => matches!(self.profile, Profile::Wave(_)),
             _ => is_of_powers(&self.profile),
         }
     }
@@ -141,8 +141,8 @@ impl Scene {
     #[cfg(feature = "mp")]
     pub(crate) fn breaks_at_zero_depth(&self) -> bool {
         let k = match &self.medium {
-            Medium::Graded { exponent, .. } => exponent.to_rational(),
-            Medium::Winkler { .. } => 1.into(),
+            ExactMedium::Graded { exponent, .. } => exponent.to_rational(),
+            ExactMedium::Winkler { .. } => 1.into(),
             _ => return false,
         };
         let order = (k + 3u32) / 2u32;
@@ -182,7 +182,7 @@ fn is_of_powers(profile: &Profile) -> bool {
 /// A parameter out of the domain of the profile; a profile that the medium has no transform of.
 pub(crate) fn transform<R: Struve + Kappa + GradedReal>(
     profile: &Profile,
-    medium: &Medium,
+    medium: &ExactMedium,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
     accepted: Option<&R>,
@@ -190,13 +190,13 @@ pub(crate) fn transform<R: Struve + Kappa + GradedReal>(
 ) -> Result<Box<dyn Transform<R>>> {
     let of_medium = |literal: &Literal| R::from_literal(ctx, literal);
     let (weight, reference) = match medium {
-        Medium::HalfSpace => return by_formulas(profile, ctx, number, accepted, formulas),
-        Medium::Periodic { wavelength, .. } => {
+        ExactMedium::HalfSpace => return by_formulas(profile, ctx, number, accepted, formulas),
+        ExactMedium::Periodic { wavelength, .. } => {
             return periodic(profile, ctx, number, of_medium(wavelength), accepted);
         }
-        Medium::Graded { exponent, .. } => (OfMedium::Graded(of_medium(exponent)), None),
-        Medium::Winkler { .. } => (OfMedium::Winkler, None),
-        Medium::Plane { reference } => (OfMedium::Line, reference.as_ref().map(of_medium)),
+        ExactMedium::Graded { exponent, .. } => (OfMedium::Graded(of_medium(exponent)), None),
+        ExactMedium::Winkler { .. } => (OfMedium::Winkler, None),
+        ExactMedium::Plane { reference } => (OfMedium::Line, reference.as_ref().map(of_medium)),
     };
     if is_of_powers(profile)
         && let Some(terms) = powers(profile, number)
@@ -303,13 +303,16 @@ fn quadrature<R: GradedReal + Struve>(
         }
         Profile::Formula(formula) => weight.of(formula.bound::<R>(ctx, number)?, ctx, accepted),
         Profile::Table(measured) => weight.of(measured.table.profile::<R>(ctx)?, ctx, accepted),
+        Profile::Function(function) => {
+            weight.of(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, ctx, accepted)
+        }
         Profile::Wave(_) => return Err(not_available("this medium")),
     })
 }
 
 /// The mean pressure at which a complete contact opens from its flaw, in Pa: that of the equilibrium with a = λ/2 − c.
 fn opening(scene: &Scene) -> Option<f64> {
-    let Medium::Periodic { wavelength, flaw: Some(flaw) } = &scene.medium else { return None };
+    let ExactMedium::Periodic { wavelength, flaw: Some(flaw) } = &scene.medium else { return None };
     let contact = scene.contact().ok()?;
     let half_width = wavelength.nearest_f64() / 2.0 - flaw.nearest_f64();
     contact.force(&contact.medium().size_within(&half_width).ok()?).ok()
@@ -322,10 +325,10 @@ pub(crate) fn note(scene: &Scene, outputs: &[Output]) -> Option<String> {
         _ => false,
     };
     match &scene.medium {
-        Medium::Plane { reference: None } if scene.has(|kind| !kind.is_of_profile()) => Some(
+        ExactMedium::Plane { reference: None } if scene.has(|kind| !kind.is_of_profile()) => Some(
             "a line contact has no depth without a reference, [medium] reference; forces are per length".to_owned(),
         ),
-        Medium::Periodic { .. } if outputs.iter().any(is_complete) => Some(match opening(scene) {
+        ExactMedium::Periodic { .. } if outputs.iter().any(is_complete) => Some(match opening(scene) {
             Some(pressure) => format!(
                 "the complete contact opens at the flaw in its troughs when the mean pressure falls to {pressure:.6e} Pa; `curve` at \
                  the contact radius λ/2 − c has its digits"

@@ -253,6 +253,7 @@ impl<'s> Solver<'s> {
         let beyond;
         let others = match &self.route {
             Route::Certified(certified) => vec![Provider::Proof(certified), Provider::Estimate(certified)],
+            Route::Search(search) if self.scene.profile.has_function() => vec![Provider::Search(search)],
             Route::Search(search) => {
                 beyond = Certified::new(self.scene, out_of_range::DIGITS, self.counts);
                 vec![Provider::Search(search), Provider::Proof(&beyond), Provider::Estimate(&beyond)]
@@ -269,7 +270,7 @@ impl<'s> Solver<'s> {
                 (Some(output), Arithmetic::Certified { .. }, _) | (Some(output), _, Provider::Search(_)) => {
                     return Ok(output);
                 }
-                (Some(output), Arithmetic::Double, _) => return Ok(out_of_range::in_doubles(output)),
+                (Some(output), Arithmetic::F64, _) => return Ok(out_of_range::in_doubles(output)),
             }
         }
         Err(unanswered())

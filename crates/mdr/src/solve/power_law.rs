@@ -42,7 +42,7 @@ impl<'s> PowerLaw<'s> {
             Question::new(&exponent, &coefficient, &elasticity, &literal(&scene.work_of_adhesion), &control)?;
         let digits = match scene.arithmetic {
             Arithmetic::Certified { digits } => digits,
-            Arithmetic::Double => out_of_range::DIGITS,
+            Arithmetic::F64 => out_of_range::DIGITS,
         };
         Ok(Some(PowerLaw { scene, question, digits }))
     }
@@ -60,7 +60,7 @@ impl<'s> PowerLaw<'s> {
         let curve = self.question.curve(precision)?;
         Ok(match self.scene.arithmetic {
             Arithmetic::Certified { .. } => curve,
-            Arithmetic::Double => curve.with_folds_rounded(|value| {
+            Arithmetic::F64 => curve.with_folds_rounded(|value| {
                 let nearest = value.enclosure().round(out_of_range::DIGITS)?.to_f64();
                 Rational::from_f64(nearest).filter(|_| nearest.is_normal())
             }),
@@ -186,6 +186,6 @@ pub(crate) fn complete() -> Completeness {
 pub(crate) fn number(scene: &Scene, literal: &Literal) -> Rational {
     match scene.arithmetic {
         Arithmetic::Certified { .. } => literal.to_rational(),
-        Arithmetic::Double => Rational::from_f64(literal.nearest_f64()).unwrap_or_else(|| literal.to_rational()),
+        Arithmetic::F64 => Rational::from_f64(literal.nearest_f64()).unwrap_or_else(|| literal.to_rational()),
     }
 }

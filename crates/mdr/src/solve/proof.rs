@@ -68,12 +68,12 @@ impl FoldProof {
         let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget)?;
         let [from, to] = range;
         let to = match enclosed.value.contact().vertical_edge() {
-            Some(wall) if *wall.lower() < *upper.upper() => Number::Double(wall.approx()).to_string(),
+            Some(wall) if *wall.lower() < *upper.upper() => Number::F64(wall.approx()).to_string(),
             _ if proved.range.1 < *upper.lower() => proved.range.1.to_string_radix_round(10, Some(10), Round::Down),
             _ => to.to_string(),
         };
         let (from, to) = if certified.scene.pressed_into().is_periodic() {
-            let radius = |size| Number::Double(enclosed.value.contact_radius(size).approx()).to_string();
+            let radius = |size| Number::F64(enclosed.value.contact_radius(size).approx()).to_string();
             (Some(radius(&lower)), Some(radius(&upper)))
         } else {
             (Some(from.to_string()), Some(to))

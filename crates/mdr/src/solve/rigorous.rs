@@ -63,7 +63,7 @@ fn collect(
                 }
             }
         }
-        Profile::Table(_) | Profile::Wave(_) => return Ok(false),
+        Profile::Table(_) | Profile::Function(_) | Profile::Wave(_) => return Ok(false),
     }
     Ok(true)
 }

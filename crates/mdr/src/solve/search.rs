@@ -116,12 +116,12 @@ pub(crate) fn not_proved(why: &str) -> Completeness {
 
 /// A list of doubles, each marked where it is out of range.
 pub(crate) fn list<T: Numbers<f64>>(records: Vec<T>) -> List<T::With<Number>> {
-    List::new(Promise::Double, records.resolve(double))
+    List::new(Promise::F64, records.resolve(double))
 }
 
 /// A list of doubles, without their errors.
 pub(crate) fn estimates<T: Numbers<Estimate<f64>>>(records: Vec<T>) -> List<T::With<Number>> {
-    List::new(Promise::Double, doubles(records))
+    List::new(Promise::F64, doubles(records))
 }
 
 /// Doubles as they are printed; one that is no number is out of range.
@@ -131,7 +131,7 @@ pub(crate) fn doubles<T: Numbers<Estimate<f64>>>(records: T) -> T::With<Number> 
 
 fn double(value: f64) -> Value {
     if value.is_finite() {
-        Value::Known(Number::Double(value))
+        Value::Known(Number::F64(value))
     } else {
         Value::Unknown { status: Status::Overflow, log10: None, why: None }
     }

@@ -11,6 +11,9 @@ pub(crate) fn weight(profile: &Profile, arithmetic: usize, bits: u32) -> u64 {
     costs.of_profile(profile)
 }
 
+/// A function of a program counts as so many operations of a formula.
+const OPERATIONS: u64 = 30;
+
 /// Times of what profiles are made of.
 struct Costs {
     /// One closed form.
@@ -47,6 +50,7 @@ impl Costs {
             Profile::Shape(_) | Profile::Wave(_) => self.form,
             Profile::Sum(terms) => terms.iter().map(|term| self.of_profile(term)).sum(),
             Profile::Formula(formula) => self.operation * formula.expression.operations(),
+            Profile::Function(_) => self.operation * OPERATIONS,
             Profile::Table(_) => self.form + self.row * self.rows(profile.rows().unwrap_or(1) as u64),
         }
     }

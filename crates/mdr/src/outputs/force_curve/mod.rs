@@ -142,7 +142,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
     fn undecided(&self, open: &Open<'_>) -> Output {
         let [pull_off_force, jump_in_force, minimum_force, hysteresis] = [(); 4].map(|()| Some(open.value()));
         let summary = CurveSummary { pull_off_force, jump_in_force, minimum_force, hysteresis };
-        let samples = List::new(Promise::Double, Vec::new()).complete(open.completeness());
+        let samples = List::new(Promise::F64, Vec::new()).complete(open.completeness());
         Output::ForceCurve(Box::new(ForceCurve { samples, summary }))
     }
 }

@@ -123,7 +123,7 @@ pub(super) fn sampled(course: Course<'_, '_>, points: usize) -> Result<ForceCurv
         }
     }
     let summary = summary(course, model, &path, &samples)?;
-    Ok(ForceCurve { samples: List::new(Promise::Double, samples), summary })
+    Ok(ForceCurve { samples: List::new(Promise::F64, samples), summary })
 }
 
 /// The state at a value on the branch with two radii.
@@ -153,7 +153,7 @@ fn sample(
     value: f64,
     state: Result<ContactState<f64>>,
 ) -> Result<Option<ForceSample>> {
-    let known = |value: Value<f64>| value.and_then(|value| Value::Known(Number::Double(value)));
+    let known = |value: Value<f64>| value.and_then(|value| Value::Known(Number::F64(value)));
     let numbers = match state {
         Ok(state) => quantities(control, &state, &value),
         Err(error) => {

@@ -31,7 +31,7 @@ pub(super) fn summary(
 }
 
 fn known(value: f64) -> Value {
-    Value::Known(Number::Double(value))
+    Value::Known(Number::F64(value))
 }
 
 /// A number that was not found takes nothing else with it.

@@ -310,11 +310,11 @@ impl<'w> IsRoom<'w> for Room {
                 let [advancing, receding] = [searches[0].completeness()?, searches[1].completeness()?];
                 let complete =
                     if searches[0].folds()?.completeness == SearchQuality::Doubtful { advancing } else { receding };
-                Ok(LoadingPath::new(Promise::Double, path, complete).into())
+                Ok(LoadingPath::new(Promise::F64, path, complete).into())
             });
         }
         let path = doubles(numbers(&search.states()?)?);
-        Ok(LoadingPath::new(Promise::Double, path, search.completeness()?).into())
+        Ok(LoadingPath::new(Promise::F64, path, search.completeness()?).into())
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {

@@ -2,8 +2,7 @@
 
 use mdr_core::contact::{Control, Error, Result, Stability};
 
-use super::{Contact, within};
-use crate::run::Stop;
+use super::{ContactColumns, within};
 
 /// The elongations at the edge of a contact at each radius, at a fixed controlled quantity, as columns in m.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,17 +16,17 @@ pub struct EnergyBalance {
     pub indentation: Vec<f64>,
 }
 
-impl Contact {
+impl ContactColumns {
     /// Both sides of the condition of equilibrium g(a) − d = Δl(a) (1.5) at contact radii, while the controlled quantity is
     /// held at a value: the contact shrinks where the excess is the larger (1.8), and grows where it is the smaller (1.9). NaN
     /// outside of the profile.
     ///
     /// # Errors
     /// A value or a stiffness out of its domain; a quadrature that does not converge; [`Stopped`](crate::ContactError::Stopped).
-    pub fn balance(&self, control: &Control<f64>, value: f64, radii: &[f64], stop: &Stop) -> Result<EnergyBalance> {
+    pub fn balance(&self, control: &Control<f64>, value: f64, radii: &[f64]) -> Result<EnergyBalance> {
         self.check(control)?;
         control.check_value(&value)?;
-        let curve = self.counted(control, stop);
+        let curve = self.counted(control);
         let mut balance = EnergyBalance::default();
         for a in radii {
             let sides = self.size_of_contact(*a).and_then(|a| {
@@ -51,9 +50,9 @@ impl Contact {
     ///
     /// # Errors
     /// A stiffness that is not positive; a quadrature that does not converge; [`Stopped`](crate::ContactError::Stopped).
-    pub fn stability(&self, control: &Control<f64>, radii: &[f64], stop: &Stop) -> Result<Vec<Option<Stability>>> {
+    pub fn stability(&self, control: &Control<f64>, radii: &[f64]) -> Result<Vec<Option<Stability>>> {
         self.check(control)?;
-        let curve = self.counted(control, stop);
+        let curve = self.counted(control);
         let at = |a: &f64| {
             let margin =
                 within(self.size_of_contact(*a).and_then(|a| Ok(curve.tangency(&a)? - curve.critical_ratio(&a)?)))?;

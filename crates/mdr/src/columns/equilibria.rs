@@ -9,10 +9,9 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::SearchQuality;
 
-use super::{Choice, Contact, Equilibria, States, status_of};
-use crate::run::Stop;
+use super::{Choice, ContactColumns, Equilibria, States, status_of};
 
-impl Contact {
+impl ContactColumns {
     /// All equilibria at each value of the controlled quantity.
     ///
     /// At a fold both branches that end there hold the double root, and the status is `Fold`.
@@ -20,11 +19,11 @@ impl Contact {
     /// # Errors
     /// A stiffness that is not positive; errors of the transform; a fold beyond the range of f64;
     /// [`Stopped`](crate::ContactError::Stopped).
-    pub fn equilibria(&self, control: &Control<f64>, values: &[f64], stop: &Stop) -> Result<Equilibria> {
+    pub fn equilibria(&self, control: &Control<f64>, values: &[f64]) -> Result<Equilibria> {
         if let Some(inverse) = self.inverse(control)? {
             return by_closed_form(inverse, self.has_large_branch(), control, values);
         }
-        self.branched(control, stop, true, |branches| self.searched(branches, values))
+        self.branched(control, true, |branches| self.searched(branches, values))
     }
 
     /// All equilibria at one value by increasing radius, admissible or not, by search along every branch: as a scene in f64 is
@@ -33,8 +32,8 @@ impl Contact {
     /// # Errors
     /// A value out of its domain; a stiffness that is not positive; errors of the transform; a fold beyond the range of f64;
     /// [`Stopped`](crate::ContactError::Stopped).
-    pub fn equilibria_at(&self, control: &Control<f64>, value: f64, stop: &Stop) -> Result<Vec<Equilibrium<f64>>> {
-        self.branched(control, stop, false, |branches| {
+    pub fn equilibria_at(&self, control: &Control<f64>, value: f64) -> Result<Vec<Equilibrium<f64>>> {
+        self.branched(control, false, |branches| {
             let found = branches.equilibria(&value)?.into_iter();
             Ok(found.map(|state| self.shown_state(state)).collect())
         })
@@ -45,11 +44,11 @@ impl Contact {
     /// # Errors
     /// A stiffness that is not positive; errors of the transform; a fold beyond the range of f64;
     /// [`Stopped`](crate::ContactError::Stopped).
-    pub fn states(&self, control: &Control<f64>, values: &[f64], choice: Choice, stop: &Stop) -> Result<States> {
+    pub fn states(&self, control: &Control<f64>, values: &[f64], choice: Choice) -> Result<States> {
         if let Some(inverse) = self.inverse(control)? {
             return stable_by_closed_form(inverse, control, values);
         }
-        self.branched(control, stop, true, |branches| {
+        self.branched(control, true, |branches| {
             let mut order: Vec<usize> = (0..=branches.folds().len()).collect();
             order.retain(|branch| branches.is_stable(*branch) != Some(false));
             if choice == Choice::Largest {
@@ -103,7 +102,7 @@ impl Contact {
 
     /// Whether the branch with the larger radii is the stable one of a power law: n > 1/2.
     fn has_large_branch(&self) -> bool {
-        self.law.is_some_and(|[n, _]| n > 0.5)
+        self.parts.law.is_some_and(|[n, _]| n > 0.5)
     }
 }
 

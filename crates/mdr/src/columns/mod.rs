@@ -26,11 +26,11 @@ use mdr_numeric::folds::{self, Folds};
 
 use crate::answer::Field;
 use crate::run::Stop;
-use crate::scene::{Medium, Profile, Scene};
+use crate::scene::{ExactMedium, Profile, Scene};
 use crate::solve;
 
 pub use held::EnergyBalance;
-pub use history::{Event, History, LoadingPath, Start, State};
+pub use history::{Event, History, LoadingPath, State};
 
 /// States as columns of one length, in SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -72,24 +72,31 @@ pub enum Choice {
     Smallest,
 }
 
-/// Profile and material in f64. It can be shared between threads.
+/// A contact in f64 that answers in columns. Copies are cheap, share what has been found, and can be used from several threads.
 ///
 /// ```
-/// use mdr::double::{Choice, Contact};
+/// use mdr::columns::{Choice, ContactColumns};
 /// use mdr::prelude::*;
 /// let ball = Scene::new(Shape::Paraboloid { radius: "1e-6" }, Elasticity::effective("1e6")?, "0.05")?;
-/// let ball = Contact::new(&ball)?;
+/// let ball = ContactColumns::new(&ball)?;
 /// // The stable equilibria under three dead loads; the first pulls harder than −3/2 πwR.
-/// let states = ball.states(&Control::Force, &[-3e-7, -2e-7, 0.0], Choice::Largest, &Stop::default())?;
+/// let states = ball.states(&Control::Force, &[-3e-7, -2e-7, 0.0], Choice::Largest)?;
 /// assert_eq!(states.status, [Status::NoEquilibrium, Status::Ok, Status::Ok]);
 /// assert!(states.contact_radius[0].is_nan() && states.contact_radius[1] < states.contact_radius[2]);
 /// # Ok::<(), mdr::Error>(())
 /// ```
-pub struct Contact {
+#[derive(Clone)]
+pub struct ContactColumns {
+    parts: Arc<Parts>,
+    stop: Stop,
+}
+
+/// The contact, and what has been found of it.
+struct Parts {
     /// Its control is not used.
     contact: contact::Contact<f64>,
     profile: Profile,
-    medium: Medium,
+    medium: ExactMedium,
     /// n and C of a power law on a half-space.
     law: Option<[f64; 2]>,
     /// Its closed forms under fixed grips and under a dead load, once they have been needed.
@@ -106,7 +113,7 @@ struct Known {
     admissibility: OnceLock<Arc<Admissibility>>,
 }
 
-impl Contact {
+impl ContactColumns {
     /// The contact of a scene; the outputs and the control of the scene are not used.
     ///
     /// # Errors
@@ -120,22 +127,41 @@ impl Contact {
         scene.check_profile_on_medium()?;
         let contact = scene.assembled::<f64>(())?.with_control(Control::Indentation);
         let law = scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius);
-        Ok(Contact {
+        let parts = Parts {
             law: law.filter(|_| scene.medium.is_half_space()),
             contact,
             profile: scene.profile.clone(),
             medium: scene.medium.clone(),
             inverses: Default::default(),
             known: Mutex::default(),
-        })
+        };
+        Ok(ContactColumns { parts: Arc::new(parts), stop: Stop::default() })
+    }
+
+    /// This contact, with questions that end when they are stopped, from any thread, with [`Error::Stopped`].
+    ///
+    /// ```
+    /// use mdr::columns::{Choice, ContactColumns};
+    /// use mdr::prelude::*;
+    /// let scene = Scene::new(Shape::Cone { flank: Flank::Slope("0.1") }, Elasticity::effective("1e6")?, "0.05")?;
+    /// let (cone, stop) = (ContactColumns::new(&scene)?, Stop::default());
+    /// let stoppable = cone.until(&stop);
+    /// stop.stop();
+    /// assert_eq!(stoppable.curve(&[1e-3]), Err(mdr::ContactError::Stopped));
+    /// assert!(cone.curve(&[1e-3]).is_ok());
+    /// # Ok::<(), mdr::Error>(())
+    /// ```
+    #[must_use]
+    pub fn until(&self, stop: &Stop) -> Self {
+        ContactColumns { parts: Arc::clone(&self.parts), stop: stop.clone() }
     }
 
     /// g, g' and ∫₀ˣ g at radii, in this order; NaN outside of the profile.
     ///
     /// # Errors
     /// A quadrature that does not converge; [`Error::Stopped`].
-    pub fn transform(&self, radii: &[f64], stop: &Stop) -> Result<[Vec<f64>; 3]> {
-        let counted = self.counted(&Control::Indentation, stop);
+    pub fn transform(&self, radii: &[f64]) -> Result<[Vec<f64>; 3]> {
+        let counted = self.counted(&Control::Indentation);
         let at = |part: fn(&dyn Transform<f64>, &f64) -> Result<f64>| {
             radii
                 .iter()
@@ -149,8 +175,8 @@ impl Contact {
     ///
     /// # Errors
     /// A quadrature that does not converge; [`Error::Stopped`].
-    pub fn curve(&self, radii: &[f64], stop: &Stop) -> Result<States> {
-        let curve = self.counted(&Control::Indentation, stop);
+    pub fn curve(&self, radii: &[f64]) -> Result<States> {
+        let curve = self.counted(&Control::Indentation);
         let mut states = States::with_capacity(radii.len());
         for a in radii {
             match self.size_of_contact(*a).and_then(|a| curve.state(&a)) {
@@ -166,9 +192,9 @@ impl Contact {
     ///
     /// # Errors
     /// A contact radius that is not positive, or outside of the profile; a quadrature that does not converge; [`Error::Stopped`].
-    pub fn field(&self, field: Field, contact_radius: f64, radii: &[f64], stop: &Stop) -> Result<Vec<f64>> {
+    pub fn field(&self, field: Field, contact_radius: f64, radii: &[f64]) -> Result<Vec<f64>> {
         let size = self.size_of_contact(contact_radius)?;
-        let fields = Fields::new(self.counted(&Control::Indentation, stop), size)?;
+        let fields = Fields::new(self.counted(&Control::Indentation), size)?;
         let at = |r: &f64| match field {
             Field::Pressure => fields.pressure(r),
             Field::Gap => fields.gap(r),
@@ -181,8 +207,8 @@ impl Contact {
     ///
     /// # Errors
     /// A stiffness that is not positive; a quadrature that does not converge; a fold beyond the range of f64; [`Error::Stopped`].
-    pub fn folds(&self, control: &Control<f64>, stop: &Stop) -> Result<Vec<Fold<f64>>> {
-        self.branched(control, stop, false, |branches| {
+    pub fn folds(&self, control: &Control<f64>) -> Result<Vec<Fold<f64>>> {
+        self.branched(control, false, |branches| {
             let finite = branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned();
             Ok(finite.map(|fold| self.shown(fold)).collect())
         })
@@ -191,7 +217,7 @@ impl Contact {
     /// A state by its contact radius, and without a depth where the medium has none.
     fn shown_state(&self, state: Equilibrium<f64>) -> Equilibrium<f64> {
         Equilibrium {
-            contact_radius: self.contact.medium().contact_radius(&state.contact_radius),
+            contact_radius: self.parts.contact.medium().contact_radius(&state.contact_radius),
             indentation: self.depth(state.indentation),
             ..state
         }
@@ -200,7 +226,7 @@ impl Contact {
     /// A fold by its contact radius, and without a depth where the medium has none.
     fn shown(&self, fold: Fold<f64>) -> Fold<f64> {
         Fold {
-            contact_radius: self.contact.medium().contact_radius(&fold.contact_radius),
+            contact_radius: self.parts.contact.medium().contact_radius(&fold.contact_radius),
             indentation: self.depth(fold.indentation),
             ..fold
         }
@@ -214,7 +240,7 @@ impl Contact {
 
     /// A depth; NaN on a medium that has none.
     fn depth(&self, indentation: f64) -> f64 {
-        if self.contact.medium().has_depth() { indentation } else { f64::NAN }
+        if self.parts.contact.medium().has_depth() { indentation } else { f64::NAN }
     }
 
     /// The size of a contact with this contact radius; see [`contact::Contact`].
@@ -224,13 +250,13 @@ impl Contact {
 
     /// The size of a contact with a contact radius or half-width that is not negative.
     fn size(&self, contact_radius: f64) -> Result<f64> {
-        self.contact.medium().size_within(&contact_radius)
+        self.parts.contact.medium().size_within(&contact_radius)
     }
 
     /// Refuses a control by depths on a medium that has none.
     fn check(&self, control: &Control<f64>) -> Result<()> {
         control.check()?;
-        if *control == Control::Force || self.contact.medium().has_depth() {
+        if *control == Control::Force || self.parts.contact.medium().has_depth() {
             return Ok(());
         }
         Err(Error::Domain {
@@ -241,21 +267,20 @@ impl Contact {
     }
 
     /// The contact under a control, with its evaluations counted.
-    fn counted(&self, control: &Control<f64>, stop: &Stop) -> contact::Contact<f64> {
-        let counted = CountingTransform::sharing(Arc::clone(self.contact.shared_transform()), &stop.tally());
-        self.contact.with_transform(Arc::new(counted)).with_control(control.clone())
+    fn counted(&self, control: &Control<f64>) -> contact::Contact<f64> {
+        let counted = CountingTransform::sharing(Arc::clone(self.parts.contact.shared_transform()), &self.stop.tally());
+        self.parts.contact.with_transform(Arc::new(counted)).with_control(control.clone())
     }
 
     /// The result of `ask` on the branches under a control, with the admissibility of their states if `judged`.
     fn branched<T>(
         &self,
         control: &Control<f64>,
-        stop: &Stop,
         judged: bool,
         ask: impl FnOnce(&SearchedBranches<f64>) -> Result<T>,
     ) -> Result<T> {
         self.check(control)?;
-        let curve = self.counted(control, stop);
+        let curve = self.counted(control);
         let last = self.last_known().clone().filter(|last| last.control == *control);
         let known = match last {
             Some(known) => known,
@@ -275,8 +300,8 @@ impl Contact {
         let search = || {
             let radii: Vec<f64> = branches.folds().iter().map(|fold| fold.contact_radius).collect();
             let length = branches.curve().material_length();
-            let transform = Arc::clone(self.contact.shared_transform());
-            Arc::new(solve::on_medium(&self.profile, &self.medium, transform, length, &radii))
+            let transform = Arc::clone(self.parts.contact.shared_transform());
+            Arc::new(solve::on_medium(&self.parts.profile, &self.parts.medium, transform, length, &radii))
         };
         let admissibility = Arc::clone(known.admissibility.get_or_init(search));
         ask(&branches.with_admissibility(admissibility))
@@ -284,21 +309,21 @@ impl Contact {
 
     /// The results of the last search. A thread that panicked has left them whole: they are replaced at once.
     fn last_known(&self) -> MutexGuard<'_, Option<Arc<Known>>> {
-        self.known.lock().unwrap_or_else(PoisonError::into_inner)
+        self.parts.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Closed forms for many values at once, where there are such: of a power law under fixed grips or a dead load.
     fn inverse(&self, control: &Control<f64>) -> Result<Option<&Inverse>> {
-        let Some([n, c]) = self.law.filter(|[n, _]| *n != 0.5) else { return Ok(None) };
+        let Some([n, c]) = self.parts.law.filter(|[n, _]| *n != 0.5) else { return Ok(None) };
         let known = match control {
-            Control::Indentation => &self.inverses[0],
-            Control::Force => &self.inverses[1],
+            Control::Indentation => &self.parts.inverses[0],
+            Control::Force => &self.parts.inverses[1],
             Control::Machine { .. } => return Ok(None),
         };
         if let Some(inverse) = known.get() {
             return Ok(Some(inverse));
         }
-        let material = Material::new(*self.contact.modulus(), *self.contact.adhesion().work())?;
+        let material = Material::new(*self.parts.contact.modulus(), *self.parts.contact.adhesion().work())?;
         let inverse = Inverse::new(n, c, &material, control)?;
         Ok(Some(known.get_or_init(|| inverse)))
     }

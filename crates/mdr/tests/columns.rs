@@ -1,19 +1,19 @@
 //! One contact at arrays of values: the closed form against the search, and histories against single states.
 
-use mdr::double::{Choice, Contact, Start};
+use mdr::columns::{Choice, ContactColumns};
 use mdr::prelude::*;
 
-fn contact(shape: Shape<&str>) -> Contact {
+fn contact(shape: Shape<&str>) -> ContactColumns {
     let elasticity = Elasticity::effective("1").expect("positive");
-    Contact::new(&Scene::new(shape, elasticity, "1e-3").expect("a scene")).expect("a contact")
+    ContactColumns::new(&Scene::new(shape, elasticity, "1e-3").expect("a scene")).expect("a contact")
 }
 
 /// r²/2R as a power law, and as a sum of one term, which has no closed form here.
-fn ball_in_two_ways() -> [Contact; 2] {
+fn ball_in_two_ways() -> [ContactColumns; 2] {
     let scene = r#"{"profile": {"kind": "sum", "term": [{"kind": "paraboloid", "radius": 1}]},
         "material": {"e_star": 1, "work_of_adhesion": "1e-3"}, "output": {"want": ["folds"]}}"#;
     let sum = Scene::from_json(scene, "sum.json", &mdr::no_files).expect("a scene");
-    [contact(Shape::Paraboloid { radius: "1" }), Contact::new(&sum).expect("a contact")]
+    [contact(Shape::Paraboloid { radius: "1" }), ContactColumns::new(&sum).expect("a contact")]
 }
 
 fn same(one: &[f64], other: &[f64]) {
@@ -27,14 +27,13 @@ fn same(one: &[f64], other: &[f64]) {
 #[test]
 fn the_closed_form_and_the_search_agree() {
     let [law, searched] = ball_in_two_ways();
-    let stop = Stop::default();
     let values = [-1.0, -4e-3, -1e-3, 0.0, 1e-3, f64::NAN];
     for control in [Control::Indentation, Control::Force] {
-        let [one, other] = [&law, &searched].map(|ball| ball.equilibria(&control, &values, &stop).expect("equilibria"));
+        let [one, other] = [&law, &searched].map(|ball| ball.equilibria(&control, &values).expect("equilibria"));
         assert_eq!((&one.stable, &one.status), (&other.stable, &other.status));
         assert_eq!(one.admissible, other.admissible);
         for (i, value) in values[..5].iter().enumerate() {
-            let at_value = law.equilibria_at(&control, *value, &stop).expect("equilibria");
+            let at_value = law.equilibria_at(&control, *value).expect("equilibria");
             let known: Vec<_> =
                 one.contact_radius.iter().skip(i).step_by(values.len()).filter(|a| !a.is_nan()).collect();
             assert_eq!(known.len(), at_value.len());
@@ -46,7 +45,7 @@ fn the_closed_form_and_the_search_agree() {
         same(&one.indentation, &other.indentation);
         same(&one.force, &other.force);
         let [one, other] =
-            [&law, &searched].map(|ball| ball.states(&control, &values, Choice::Largest, &stop).expect("states"));
+            [&law, &searched].map(|ball| ball.states(&control, &values, Choice::Largest).expect("states"));
         assert_eq!(one.status, other.status);
         assert_eq!((one.status[0], one.status[5]), (Status::NoEquilibrium, Status::DomainError));
         same(&one.force, &other.force);
@@ -56,11 +55,11 @@ fn the_closed_form_and_the_search_agree() {
 #[test]
 fn a_history_is_made_of_states() {
     let [ball, _] = ball_in_two_ways();
-    let (control, stop) = (Control::machine(0.1).expect("positive"), Stop::default());
+    let control = Control::machine(0.1).expect("positive");
     let values: Vec<f64> = (0..40).map(|step| 0.1 - 0.01 * f64::from(step)).collect();
-    let history = ball.follow(&control, &values, &Start::Largest, &stop).expect("a history");
+    let history = ball.follow(&control, &values, &Start::Largest).expect("a history");
     assert_eq!(history.jumps.iter().map(|event| event.kind).collect::<Vec<_>>(), [EventKind::Detached]);
-    let alone = ball.states(&control, &values, Choice::Largest, &stop).expect("states");
+    let alone = ball.states(&control, &values, Choice::Largest).expect("states");
     for (i, value) in values.iter().enumerate() {
         if *value > history.jumps[0].value {
             same(&history.states.force[i..=i], &alone.force[i..=i]);
@@ -68,7 +67,7 @@ fn a_history_is_made_of_states() {
             assert_eq!((history.states.force[i], history.states.status[i]), (0.0, Status::Ok));
         }
     }
-    let off = ball.pull_off(&control, &stop).expect("it comes off");
+    let off = ball.pull_off(&control).expect("it comes off");
     assert_eq!(history.jumps[0].before.contact_radius, off.contact_radius);
 }
 
@@ -76,14 +75,13 @@ fn a_history_is_made_of_states() {
 fn a_path_that_cannot_go_on_has_no_more_states() {
     // Pressed on, the surfaces touch at the next crest.
     let waves = contact(Shape::WavyParaboloid { radius: "1", amplitude: "1e-2", wavelength: "0.1" });
-    let stop = Stop::default();
-    let history = waves.follow(&Control::Indentation, &[-1.0, 0.0, 0.1], &Start::Detached, &stop).expect("a history");
+    let history = waves.follow(&Control::Indentation, &[-1.0, 0.0, 0.1], &Start::Detached).expect("a history");
     assert_eq!(history.states.status.last(), Some(&Status::NotAdmissible));
     assert!(history.states.force[2].is_nan());
     // What is known of the contact by now serves the same question, and no other control.
     for control in [Control::Indentation, Control::Force, Control::Indentation] {
-        let ask = |waves: &Contact| {
-            let history = waves.follow(&control, &[-1.0, 0.0, 0.1], &Start::Detached, &stop).expect("a history");
+        let ask = |waves: &ContactColumns| {
+            let history = waves.follow(&control, &[-1.0, 0.0, 0.1], &Start::Detached).expect("a history");
             // As text: a depth that is not known is NaN, which is not equal to itself.
             format!("{:?}", (history.jumps, history.states))
         };
@@ -98,25 +96,25 @@ fn a_stopped_contact_answers_nothing() {
     let stop = Stop::default();
     stop.stop();
     let stopped = Err(mdr::ContactError::Stopped);
-    assert_eq!(ball.states(&Control::Force, &[0.0], Choice::Largest, &stop), stopped);
+    assert_eq!(ball.until(&stop).states(&Control::Force, &[0.0], Choice::Largest), stopped);
+    assert!(ball.states(&Control::Force, &[0.0], Choice::Largest).is_ok(), "others go on");
 }
 
 #[test]
 fn the_edge_is_in_balance_in_the_equilibria_and_nowhere_else() {
     let ball = contact(Shape::Paraboloid { radius: "1" });
-    let stop = Stop::default();
     for control in [Control::Indentation, Control::Force, Control::machine(0.1).expect("positive")] {
-        let found = ball.equilibria(&control, &[1e-3], &stop).expect("equilibria");
+        let found = ball.equilibria(&control, &[1e-3]).expect("equilibria");
         for (branch, a) in found.contact_radius.iter().enumerate().filter(|(_, a)| !a.is_nan()) {
             let around = [0.99 * a, *a, 1.01 * a];
-            let balance = ball.balance(&control, 1e-3, &around, &stop).expect("a balance");
+            let balance = ball.balance(&control, 1e-3, &around).expect("a balance");
             let beyond = |i: usize| balance.excess[i] - balance.elongation[i];
             assert!(beyond(1).abs() < 1e-12 * balance.elongation[1], "{control:?}");
             same(&balance.indentation[1..2], &found.indentation[branch..=branch]);
             // A stable contact shrinks when it is too large (1.8), and grows when it is too small (1.9).
             let stable = found.stable[branch];
             assert_eq!([beyond(0) < 0.0, beyond(2) > 0.0], [stable; 2], "{control:?}");
-            let stability = ball.stability(&control, &[*a], &stop).expect("stability");
+            let stability = ball.stability(&control, &[*a]).expect("stability");
             assert_eq!(stability, [Some(if stable { Stability::Stable } else { Stability::Unstable })]);
         }
     }
@@ -125,17 +123,17 @@ fn the_edge_is_in_balance_in_the_equilibria_and_nowhere_else() {
 #[test]
 fn outside_of_the_profile_there_is_no_balance() {
     let ball = contact(Shape::Sphere { radius: "1" });
-    let (control, stop) = (Control::Indentation, Stop::default());
+    let control = Control::Indentation;
     let radii = [-1.0, 0.0, 0.5, 1.5];
-    let balance = ball.balance(&control, 0.0, &radii, &stop).expect("a balance");
+    let balance = ball.balance(&control, 0.0, &radii).expect("a balance");
     assert_eq!(balance.excess.iter().map(|x| !x.is_nan()).collect::<Vec<_>>(), [false, false, true, false]);
-    let stability = ball.stability(&control, &radii, &stop).expect("stability");
+    let stability = ball.stability(&control, &radii).expect("stability");
     assert_eq!(stability.iter().map(Option::is_some).collect::<Vec<_>>(), [false, false, true, false]);
-    assert!(ball.balance(&control, f64::NAN, &radii, &stop).is_err());
+    assert!(ball.balance(&control, f64::NAN, &radii).is_err());
 }
 
 /// A scene on a medium, from its tables in JSON.
-fn on_medium(medium: &str, profile: &str, work: &str) -> Result<Contact, mdr::Error> {
+fn on_medium(medium: &str, profile: &str, work: &str) -> Result<ContactColumns, mdr::Error> {
     let text = format!(
         r#"{{"profile": {profile}, "medium": {medium}, "material": {{"e_star": 1, "work_of_adhesion": "{work}"}},
             "output": {{"want": ["transform"], "transform": {{"at": ["0.1"]}}}}}}"#
@@ -145,7 +143,7 @@ fn on_medium(medium: &str, profile: &str, work: &str) -> Result<Contact, mdr::Er
     } else {
         text
     };
-    Contact::new(&Scene::from_json(&text, "medium.json", &mdr::no_files)?)
+    ContactColumns::new(&Scene::from_json(&text, "medium.json", &mdr::no_files)?)
 }
 
 const BALL: &str = r#"{"kind": "paraboloid", "radius": 1}"#;
@@ -164,27 +162,26 @@ fn columns_on_other_media() {
         (r#"{"kind": "plane", "reference": 10}"#, BALL, "1/100", -0.080_934_039_696_447_47),
         (r#"{"kind": "periodic", "wavelength": 1}"#, wave, alpha, -0.301_417_048_312_055_9),
     ];
-    let (stop, load) = (Stop::default(), Control::Force);
+    let load = Control::Force;
     for (medium, profile, work, expected) in contacts {
         let contact = on_medium(medium, profile, work).expect(medium);
-        let fold = &contact.folds(&load, &stop).expect(medium)[0];
+        let fold = &contact.folds(&load).expect(medium)[0];
         assert!((fold.force / expected - 1.0).abs() < 1e-11, "{medium} {} {expected}", fold.force);
         let values = [1.5 * expected, 0.5 * expected, 0.0];
-        let states = contact.states(&load, &values, Choice::Largest, &stop).expect(medium);
+        let states = contact.states(&load, &values, Choice::Largest).expect(medium);
         assert_eq!(states.status, [Status::NoEquilibrium, Status::Ok, Status::Ok], "{medium}");
         // The state of the curve at that radius, by which a half-width is not taken for a size.
-        let again = contact.curve(&states.contact_radius[1..], &stop).expect(medium);
+        let again = contact.curve(&states.contact_radius[1..]).expect(medium);
         for (force, value) in again.force.iter().zip(&values[1..]) {
             assert!((force - value).abs() < 1e-9 * expected.abs(), "{medium}");
         }
-        let both = contact.equilibria(&load, &values[1..2], &stop).expect(medium);
+        let both = contact.equilibria(&load, &values[1..2]).expect(medium);
         assert!(both.contact_radius.contains(&states.contact_radius[1]) && both.admissible[0], "{medium}");
-        let pulled = contact.pull_off(&load, &stop).expect(medium);
+        let pulled = contact.pull_off(&load).expect(medium);
         assert!((pulled.contact_radius / fold.contact_radius - 1.0).abs() < 1e-6, "{medium}");
-        let pressures =
-            contact.field(mdr::answer::Field::Pressure, states.contact_radius[1], &[0.0], &stop).expect(medium);
+        let pressures = contact.field(mdr::answer::Field::Pressure, states.contact_radius[1], &[0.0]).expect(medium);
         assert!(pressures[0].is_finite(), "{medium}");
-        let history = contact.follow(&load, &values[1..], &Start::Largest, &stop).expect(medium);
+        let history = contact.follow(&load, &values[1..], &Start::Largest).expect(medium);
         same(&history.states.contact_radius, &states.contact_radius[1..]);
     }
 }
@@ -193,10 +190,9 @@ fn columns_on_other_media() {
 #[test]
 fn a_line_contact_without_a_reference_has_no_depths() {
     let line = on_medium(r#"{"kind": "plane"}"#, BALL, "1/100").expect("a contact");
-    let stop = Stop::default();
-    let states = line.states(&Control::Force, &[0.0], Choice::Largest, &stop).expect("states");
+    let states = line.states(&Control::Force, &[0.0], Choice::Largest).expect("states");
     assert!(states.indentation[0].is_nan() && states.contact_radius[0] > 0.0);
-    let why = line.states(&Control::Indentation, &[0.0], Choice::Largest, &stop).expect_err("no depth").to_string();
+    let why = line.states(&Control::Indentation, &[0.0], Choice::Largest).expect_err("no depth").to_string();
     assert!(why.contains("reference"), "{why}");
     let why = on_medium(r#"{"kind": "periodic", "wavelength": 1}"#, BALL, "1").err().expect("no period").to_string();
     assert!(why.contains("not periodic"), "{why}");

@@ -3,13 +3,11 @@
 use mdr_core::contact::{self, Control, Error, Result, Status};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
-use mdr_numeric::path::{self, Dissipation, EventKind, Path, PathEnergy};
+use mdr_numeric::path::{self, Dissipation, EventKind, Path, PathEnergy, Start};
 
-use super::{Contact, States};
+use super::{ContactColumns, States};
 use crate::outputs::path::{changes, is_arrival};
-use crate::run::{Stop, lack};
-
-pub use mdr_numeric::path::Start;
+use crate::run::lack;
 
 /// A state of a history, in SI units. Surfaces that are apart have a = F = 0; surfaces that touch everywhere have no numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,14 +56,14 @@ pub struct LoadingPath {
     pub balance: Option<[f64; 3]>,
 }
 
-impl Contact {
+impl ContactColumns {
     /// A state for each value, in their order.
     ///
     /// # Errors
     /// No value, or one that is not finite; no stable equilibrium at the first; a stiffness that is not positive; errors of the
     /// transform; [`Error::Stopped`].
-    pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>, stop: &Stop) -> Result<History> {
-        self.branched(control, stop, true, |branches| {
+    pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>) -> Result<History> {
+        self.branched(control, true, |branches| {
             let path = Path::follow(branches, start, values)?;
             let losses = Dissipation::of_each(&path, branches);
             let mut states = States::with_capacity(values.len());
@@ -93,15 +91,8 @@ impl Contact {
     /// # Errors
     /// No way point, or one that is not finite; no stable equilibrium at the first; a stiffness that is not positive; errors of
     /// the transform; [`Error::Stopped`].
-    pub fn path(
-        &self,
-        control: &Control<f64>,
-        way: &[f64],
-        start: &Start<f64>,
-        between: usize,
-        stop: &Stop,
-    ) -> Result<LoadingPath> {
-        self.branched(control, stop, true, |branches| {
+    pub fn path(&self, control: &Control<f64>, way: &[f64], start: &Start<f64>, between: usize) -> Result<LoadingPath> {
+        self.branched(control, true, |branches| {
             let path = Path::follow(branches, start, way)?;
             let losses = Dissipation::of_each(&path, branches);
             let balance =
@@ -120,8 +111,8 @@ impl Contact {
     /// # Errors
     /// [`Error::NoEquilibrium`] if there is no contact to begin with, or if it does not come off; a stiffness that is not
     /// positive; errors of the transform; [`Error::Stopped`].
-    pub fn pull_off(&self, control: &Control<f64>, stop: &Stop) -> Result<State> {
-        self.branched(control, stop, true, |branches| {
+    pub fn pull_off(&self, control: &Control<f64>) -> Result<State> {
+        self.branched(control, true, |branches| {
             let value = |fold: &contact::Fold<f64>| control.controlled(&fold.indentation, &fold.force);
             let lowest = branches.folds().iter().map(value).filter(|value| value.is_finite()).fold(-1e-150, f64::min);
             let path = Path::follow(branches, &Start::Largest, &[0.0, 2.0 * lowest])?;
