@@ -240,9 +240,9 @@ fn a_file_beside_the_picture_is_left_alone() {
 }
 
 #[test]
-fn a_picture_of_answers_is_an_svg_file() {
-    let result = mdr("judge - --plot out.png").stdin(RIGHT).assert().code(2).stdout_eq("");
-    assert!(result.get_output().stderr.starts_with(b"error: --plot: must be the name of an .svg file"));
+fn a_picture_of_answers_has_a_name_that_tells_its_kind() {
+    let result = mdr("judge - --plot out.txt").stdin(RIGHT).assert().code(2).stdout_eq("");
+    assert!(result.get_output().stderr.starts_with(b"error: --plot: must be the name of an .svg, .png or .pdf file"));
 }
 
 /// The answers that the documents show.

@@ -111,10 +111,66 @@ fn the_picture_of_the_documents_is_current() {
     }
 }
 
+/// The text of an error, of a command that stops with status 2.
+fn refused(arguments: &str) -> String {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/force-curve.toml");
+    let result = mdr(&format!("solve {scene} --f64 {arguments}")).assert().code(2);
+    String::from_utf8(result.get_output().stderr.clone()).unwrap()
+}
+
 #[test]
-fn a_picture_is_an_svg_file() {
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/figure-4.toml");
-    let result = mdr(&format!("solve {scene} --plot out.csv")).assert().code(2).stdout_eq("");
-    let error = String::from_utf8(result.get_output().stderr.clone()).unwrap();
-    assert_eq!(error, "error: --plot: must be the name of an .svg file, got out.csv\n");
+fn a_picture_has_a_name_that_tells_its_kind() {
+    let error = refused("--plot out.jpg");
+    assert_eq!(error, "error: --plot: must be the name of an .svg, .png or .pdf file, got out.jpg\n");
+}
+
+/// One panel, its size and that of its text; the data stay those of all panels.
+#[test]
+fn a_panel_for_a_column_of_a_journal() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/force-curve.toml");
+    let svg = file("plot-panel.svg");
+    let flags = format!("--plot {} --panel b --size 85mm --font 8pt", svg.display());
+    mdr(&format!("solve {scene} --f64 {flags}")).assert().success().stderr_eq("");
+    let text = std::fs::read_to_string(&svg).unwrap();
+    assert!(text.contains("width=\"240.9pt\"") && text.contains("(b)  force"), "{text}");
+    assert!(!text.contains("(a)  ") && !text.contains("(c)  "));
+    assert!(
+        std::fs::read_to_string(svg.with_extension("csv")).unwrap().lines().any(|line| line.starts_with("4,arrow,"))
+    );
+}
+
+#[test]
+fn flags_of_a_picture_that_make_none_are_named() {
+    let svg = file("plot-refused.svg");
+    let plot = format!("--plot {}", svg.display());
+    for (flags, why) in [
+        (format!("{plot} --panel z"), "error: --panel: the picture has the panels a, b, c, d, got z\n"),
+        ("--panel a".to_owned(), "error: --panel: there is no picture without --plot\n"),
+        (
+            format!("{plot} --size 20mm"),
+            "error: --size: must be between 67mm, with text of 11.0pt, and 2000mm, got 20.0mm\n",
+        ),
+        (format!("{plot} --font 1pt"), "error: --font: must be between 4pt and 72pt, got 1.0pt\n"),
+    ] {
+        assert_eq!(refused(&flags), why);
+    }
+    assert!(refused(&format!("{plot} --size 85")).contains("must be a length above 0 with its unit, such as 85mm"));
+}
+
+/// PNG and PDF are made where rsvg-convert is there; else it is named.
+#[test]
+fn a_picture_for_a_talk_or_a_page() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/scenes/force-curve.toml");
+    let there = std::process::Command::new("rsvg-convert").arg("--version").output().is_ok();
+    for (end, head) in [("png", &b"\x89PNG"[..]), ("pdf", b"%PDF")] {
+        let picture = file(&format!("plot-made.{end}"));
+        let command = format!("solve {scene} --f64 --plot {}", picture.display());
+        if there {
+            mdr(&command).assert().success().stderr_eq("");
+            assert!(std::fs::read(&picture).unwrap().starts_with(head), "{end}");
+        }
+        let missing = mdr(&command).env("PATH", "/nowhere").assert().code(2).stdout_eq("");
+        let error = String::from_utf8(missing.get_output().stderr.clone()).unwrap();
+        assert!(error.starts_with("error: --plot: PNG and PDF are made by the program rsvg-convert"), "{error}");
+    }
 }

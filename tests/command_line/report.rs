@@ -51,14 +51,14 @@ fn a_quick_report() {
     assert!(points.iter().all(|point| point["digits"].is_number() != point["failed"].is_string()), "{points:?}");
     assert_eq!(rows("ladders.csv").count(), lines.iter().filter(|line| line["ladder"].is_object()).count());
 
-    // Every method is named in the legend of its picture, every question above its panel.
+    // Every method is named at its row, every question above its panel.
     for line in lines.iter().filter(|line| line["comparison"].is_object()) {
         let comparison = &line["comparison"];
         let task = comparison["id"].as_str().unwrap().split('-').next().unwrap();
         let svg = read(&format!("{task}.svg"));
         let document = roxmltree::Document::parse(&svg).unwrap();
-        // A long text has several lines, and an index its own element.
-        let bare = |text: &str| text.replace(|letter: char| letter.is_whitespace() || letter == '_', "");
+        // A long text has several lines, and an index or an exponent its own element.
+        let bare = |text: &str| text.replace(|letter: char| letter.is_whitespace() || "_^()".contains(letter), "");
         let drawn = document.descendants().filter(|node| node.has_tag_name("text"));
         let drawn = drawn.flat_map(|node| node.descendants().filter(|part| part.is_text()));
         let drawn = bare(&drawn.filter_map(|part| part.text()).collect::<String>());

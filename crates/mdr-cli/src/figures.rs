@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use mdr_plot::figures::FIGURES;
-use mdr_plot::{Picture, Theme};
+use mdr_plot::{Picture, Sheet};
 use serde::Serialize;
 
 use crate::error::Result;
@@ -23,9 +23,8 @@ pub(crate) struct Figures {
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
 
-    /// Colours of the figures
-    #[arg(long, value_parser = plot::theme(), default_value = "auto")]
-    theme: Theme,
+    #[command(flatten)]
+    sheet: plot::SheetFlags,
 
     /// Shape of the list of files
     #[arg(long, value_enum, default_value_t = Format::Table)]
@@ -46,12 +45,13 @@ struct Written {
 impl Figures {
     /// Writes the files, and their list on `out`.
     pub(crate) fn run(&self, out: &mut Output<impl std::io::Write>) -> Result<()> {
+        let sheet = self.sheet.sheet()?;
         files::make_folder("--out", &self.out)?;
         let bar = progress::bar(FIGURES.len());
         let mut written = Vec::with_capacity(FIGURES.len());
         for (figure, compute) in FIGURES {
             bar.set_message(figure);
-            written.push(write(figure, compute()?, self.theme, &self.out)?);
+            written.push(write(figure, compute()?, &sheet, &self.out)?);
             bar.inc(1);
         }
         bar.finish_and_clear();
@@ -83,10 +83,10 @@ impl Figures {
 }
 
 /// Writes one figure and its data.
-fn write(figure: &'static str, picture: Picture, theme: Theme, directory: &Path) -> Result<Written> {
+fn write(figure: &'static str, picture: Picture, sheet: &Sheet, directory: &Path) -> Result<Written> {
     let path = |extension: &str| directory.join(format!("{figure}.{extension}"));
     let svg = path("svg");
-    plot::write(&picture, theme, &svg, "")?;
+    plot::write(&picture, &picture.csv(), sheet, &svg, "")?;
     Ok(Written {
         schema: "mdr.figures/1",
         figure,

@@ -16,8 +16,7 @@ use crate::table::{CellStyle, cell, render_whole, table, text_table};
 use crate::{files, progress, validity};
 
 /// The help of `--plot`.
-const PICTURE: &str =
-    "Draw data, fitted curve, residuals and contact radius as SVG, and write the data as CSV beside it";
+const PICTURE: &str = "Draw data, fitted curve, residuals and contact radius as SVG, PNG or PDF by the name of the file, and write the data as CSV beside it";
 
 /// Fit E*, work of adhesion, contact point and more to a measured curve.
 ///

@@ -16,7 +16,7 @@ use crate::reference::size;
 use crate::table::{CellStyle, cell, render, table, text_table};
 
 /// The help of `--plot`.
-const PICTURE: &str = "Draw right digits and excess loss to this SVG file, and their data to a CSV file beside it";
+const PICTURE: &str = "Draw right digits and excess loss to this file, SVG, PNG or PDF by its name, and their data to a CSV file beside it";
 
 /// Mark the answers of another program: right digits, broken claims, and the losses due to its algorithm.
 #[derive(Debug, Args)]

@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod cite;
+mod converter;
 mod critical;
 mod derive;
 mod error;

@@ -29,6 +29,8 @@ pub struct Axis {
     logarithmic: bool,
     lower: f64,
     upper: f64,
+    /// What stands in the rows of the axis, from above; empty for numbers.
+    names: Vec<String>,
 }
 
 /// A tick: where, and the number beside it.
@@ -48,13 +50,36 @@ impl Axis {
             false if lower == 0.0 => 1.0,
             false => lower.abs() / 10.0,
         };
-        Axis { quantity: quantity.into(), unit, logarithmic: false, lower: lower - half, upper: upper + half }
+        Axis {
+            quantity: quantity.into(),
+            unit,
+            logarithmic: false,
+            lower: lower - half,
+            upper: upper + half,
+            names: Vec::new(),
+        }
     }
 
     /// An axis from `lower` > 0 to `upper` with equal ratios; a range without length is widened.
     pub fn log(quantity: impl Into<String>, unit: Unit, lower: f64, upper: f64) -> Self {
         let factor = if upper > lower { 1.0 } else { 10.0 };
-        Axis { quantity: quantity.into(), unit, logarithmic: true, lower: lower / factor, upper: upper * factor }
+        let (lower, upper) = (lower / factor, upper * factor);
+        Axis { quantity: quantity.into(), unit, logarithmic: true, lower, upper, names: Vec::new() }
+    }
+
+    /// A vertical axis of rows with names, with [markup](crate#markup), from above. See [`row`](Axis::row).
+    pub fn rows(quantity: impl Into<String>, names: Vec<String>) -> Self {
+        Axis { upper: names.len() as f64 + 0.5, lower: 0.5, names, ..Self::linear(quantity, Unit::One, 0.0, 1.0) }
+    }
+
+    /// Where the row of a number, from 0 above, is on an axis of rows.
+    pub fn row(&self, number: usize) -> f64 {
+        self.names.len() as f64 - number as f64
+    }
+
+    /// The names of the rows; none of an axis of numbers.
+    pub(crate) fn names(&self) -> &[String] {
+        &self.names
     }
 
     /// A linear axis that shows zero and all of `values`, with a margin.
@@ -120,6 +145,13 @@ impl Axis {
 
     /// At most `most` ticks at round numbers.
     pub(crate) fn ticks(&self, most: usize) -> Vec<Tick> {
+        if !self.names.is_empty() {
+            let tick = |(number, name): (usize, &String)| Tick {
+                fraction: self.fraction(self.row(number)),
+                text: name.clone(),
+            };
+            return self.names.iter().enumerate().map(tick).collect();
+        }
         if self.logarithmic {
             let (lower, upper) = (self.lower.log10(), self.upper.log10());
             let step = round_step(upper - lower, most).max(1.0);

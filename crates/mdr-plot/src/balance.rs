@@ -38,13 +38,22 @@ impl Balance<'_> {
         states: impl IntoIterator<Item = &'s Equilibrium<f64>>,
         stability: Stability,
     ) -> Layer {
-        let (mark, meaning) = match stability {
-            Stability::Stable => (Mark::Filled, "stable"),
-            Stability::Unstable => (Mark::Open, "unstable"),
-            Stability::Neutral => (Mark::Diamond, "fold"),
+        let meaning = match stability {
+            Stability::Stable => "stable",
+            Stability::Unstable => "unstable",
+            Stability::Neutral => "fold",
         };
         let points = states.into_iter().map(|state| self.on_elongation(state.contact_radius)).collect();
-        Layer::marks(name, points, mark).meaning(meaning)
+        Layer::marks(name, points, mark(stability)).meaning(meaning)
+    }
+}
+
+/// The mark of a state.
+pub(crate) fn mark(stability: Stability) -> Mark {
+    match stability {
+        Stability::Stable => Mark::Filled,
+        Stability::Unstable => Mark::Open,
+        Stability::Neutral => Mark::Diamond,
     }
 }
 
@@ -55,5 +64,6 @@ pub(crate) fn shifted(name: impl Into<String>, points: Vec<Point>, stroke: Strok
 
 /// An arrow along the axis of radii: where g − d is above Δl the contact shrinks, else it grows.
 pub(crate) fn change(grows: bool, from: Point, to: Point) -> Layer {
-    Layer::arrow(if grows { "grows (1.9)" } else { "shrinks (1.8)" }, [from, to])
+    let [name, meaning] = if grows { ["grows (1.9)", "grows"] } else { ["shrinks (1.8)", "shrinks"] };
+    Layer::arrow(name, [from, to]).meaning(meaning)
 }

@@ -54,8 +54,11 @@ pub struct Layer {
     pub look: Look,
     /// The colour of lines, marks and labels.
     pub colour: Colour,
-    /// The meaning of the layer, for the legend. Layers with the same text share an entry.
-    pub legend: Option<String>,
+    /// What the layer shows, written once beside it, or beside one of the layers with the same text. With
+    /// [markup](crate#markup).
+    pub meaning: Option<String>,
+    /// The size of marks: 1 for the usual one.
+    pub scale: f64,
 }
 
 /// How the points of a layer are drawn.
@@ -171,19 +174,53 @@ impl Colour {
     }
 }
 
+impl Picture {
+    /// The letters of the panels, a, b, …: of a heading that begins with one in parentheses, else by the order.
+    fn letters(&self) -> impl Iterator<Item = (char, &Panel)> {
+        self.panels.iter().zip('a'..).map(|(panel, by_order)| {
+            let mut heading = panel.heading.chars();
+            let letter = match (heading.next(), heading.next(), heading.next()) {
+                (Some('('), Some(letter), Some(')')) => letter,
+                _ => by_order,
+            };
+            (letter, panel)
+        })
+    }
+
+    /// The picture with some of its panels, named by their letters, in this order.
+    ///
+    /// # Errors
+    /// The letters of all panels, where one of `letters` is not among them, or there is none.
+    ///
+    /// ```
+    /// use mdr_plot::{Axis, Panel, Picture, Unit};
+    /// let panel = |heading: &str| Panel::new(heading, Axis::linear("x", Unit::One, 0.0, 1.0), Axis::linear("y", Unit::One, 0.0, 1.0));
+    /// let picture = Picture { title: "two".into(), description: String::new(), panels: vec![panel("(a)  one"), panel("(b)  two")] };
+    /// assert_eq!(picture.only(['b']).unwrap().panels[0].heading, "(b)  two");
+    /// assert_eq!(picture.only(['z']).unwrap_err(), ['a', 'b']);
+    /// ```
+    pub fn only(&self, letters: impl IntoIterator<Item = char>) -> Result<Picture, Vec<char>> {
+        let panel = |wanted: char| self.letters().find(|(letter, _)| *letter == wanted).map(|(_, panel)| panel.clone());
+        match letters.into_iter().map(panel).collect::<Option<Vec<Panel>>>() {
+            Some(panels) if !panels.is_empty() => Ok(Picture { panels, ..self.clone() }),
+            _ => Err(self.letters().map(|(letter, _)| letter).collect()),
+        }
+    }
+}
+
 impl Panel {
     /// A panel without layers.
     pub fn new(heading: impl Into<String>, x: Axis, y: Axis) -> Self {
         Panel { heading: heading.into(), x, y, layers: Vec::new() }
     }
 
-    /// Adds a series: a line with a mark at each point, and an entry in the legend.
+    /// Adds a series: a line with a mark at each point, and its name beside it.
     pub fn series(&mut self, name: &str, points: Vec<Point>, mark: Mark, colour: Colour) {
         self.layers.push(Layer::curve(name, points.clone(), Stroke::Solid).coloured(colour).meaning(name));
         self.layers.push(Layer::marks(name, points, mark).coloured(colour).meaning(name));
     }
 
-    /// Adds a text to the legend that belongs to no layer.
+    /// Adds a text below the heading.
     pub fn note(&mut self, text: impl Into<String>) {
         self.layers.push(Layer::label("", Vec::new(), Side::Right).meaning(text));
     }
@@ -191,7 +228,7 @@ impl Panel {
 
 impl Layer {
     fn new(name: impl Into<String>, points: Vec<Point>, look: Look) -> Self {
-        Layer { name: name.into(), points, look, colour: Colour::Ink, legend: None }
+        Layer { name: name.into(), points, look, colour: Colour::Ink, meaning: None, scale: 1.0 }
     }
 
     /// A shaded area.
@@ -219,15 +256,21 @@ impl Layer {
         Self::new(text, anchors, Look::Label(side))
     }
 
+    /// Sets the size of marks, in that of usual ones.
+    #[must_use]
+    pub fn sized(self, scale: f64) -> Self {
+        Layer { scale, ..self }
+    }
+
     /// Sets the colour; the default is black.
     #[must_use]
     pub fn coloured(self, colour: Colour) -> Self {
         Layer { colour, ..self }
     }
 
-    /// Adds an entry in the legend.
+    /// Says beside the layer what it shows.
     #[must_use]
     pub fn meaning(self, text: impl Into<String>) -> Self {
-        Layer { legend: Some(text.into()), ..self }
+        Layer { meaning: Some(text.into()), ..self }
     }
 }

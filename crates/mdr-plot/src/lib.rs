@@ -34,7 +34,8 @@
 //! | draw judged answers of another program | [`judged()`] of a [`Report`](mdr_reference::Report) |
 //! | draw methods by time and error | [`comparison()`] |
 //! | draw anything else | [`Picture`], [`Panel`], [`Axis`], [`Layer`] |
-//! | write it | [`Picture::svg`], [`Picture::svg_in`] a [`Theme`], [`Picture::csv`] |
+//! | write it | [`Picture::svg`], [`Picture::svg_in`] a [`Theme`], [`Picture::svg_on`] a [`Sheet`], [`Picture::csv`] |
+//! | write one panel of it | [`Picture::only`] |
 //!
 //! # Markup
 //! Names and texts may have `*a*` for slanted letters, `_{c}` for an index below and `^{1/4}` for one above the line.
@@ -63,6 +64,7 @@ pub use data::{CSV_HEADER, is_data};
 pub use fit::fit;
 pub use judged::judged;
 pub use scene::scene;
+pub use svg::Sheet;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -1,18 +1,22 @@
-//! Force against indentation depth or against contact radius, with branches, folds and the events of a path.
+//! Force against indentation depth, contact radius or position, with branches, folds and the events of a path.
 
 use mdr::diagram::{Branch, CurveSample, Diagram, DiagramEvent, State};
-use mdr::prelude::EventKind;
+use mdr::prelude::{Control, EventKind, Stability};
 
-use crate::balance::{ADHESION, LOSS};
+use crate::balance::{ADHESION, LOSS, mark};
 use crate::chart::{Layer, Mark, Panel, Point, Side, Stroke};
-use crate::scene::radius_axis;
+use crate::scene::{radius_axis, with_prefix};
 use crate::{Axis, Unit};
 
 /// The abscissa of the force.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Plane {
     Indentation,
     Radius,
+    /// D = d + F/k, the position of a machine of this stiffness.
+    Position {
+        stiffness: f64,
+    },
 }
 
 /// Branches, marks, and numbered events that can be told apart.
@@ -22,14 +26,17 @@ const MOST_NUMBERS: usize = 14;
 
 /// The panel of one plane.
 pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
-    let states = states(data);
+    let states = states(data, plane);
     let force = Axis::around("normal force *F*", Unit::Si(data.force_unit), states.iter().map(|state| state.force));
+    let values = with_room(data, plane, states.iter().map(|state| plane.point(state)[0]).collect());
     let (heading, x) = match plane {
         Plane::Indentation => {
-            let values = states.iter().map(|state| state.indentation);
             ("(b)  force and indentation depth", Axis::around("indentation depth *d*", Unit::Si("m"), values))
         }
         Plane::Radius => ("(c)  force and contact radius", radius_axis(data)),
+        Plane::Position { .. } => {
+            ("(d)  force and position", Axis::around("position *D* = *d* + *F*/*k*", Unit::Si("m"), values))
+        }
     };
     let mut layers = Vec::new();
     layers.extend(loop_area(data, plane));
@@ -44,24 +51,47 @@ pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
         layers.push(Layer::marks("folds", points, Mark::Diamond).meaning("fold"));
     }
     layers.extend(events(data, plane, &x));
-    let mut panel = Panel { layers, ..Panel::new(heading, x, force) };
-    if (1..=MOST_NUMBERS).contains(&data.path.len()) {
-        panel.note("1, 2, …  events in their order");
+    Panel { layers, ..Panel::new(heading, x, force) }
+}
+
+/// Values with some room where a jump leads out of their range, for its arrow.
+fn with_room(data: &Diagram, plane: Plane, mut values: Vec<f64>) -> Vec<f64> {
+    const ROOM: f64 = 0.2;
+    let least = values.iter().copied().fold(0.0, f64::min);
+    let most = values.iter().copied().fold(0.0, f64::max);
+    for event in data.path.iter().filter(|event| event.before != event.after) {
+        let end = event.after.map_or(f64::NAN, |state| plane.point(&state)[0]);
+        if end < least || (end.is_nan() && event.kind == EventKind::Detached) {
+            values.push(least - ROOM * (most - least));
+        } else if end > most {
+            values.push(most + ROOM * (most - least));
+        }
     }
-    panel
+    values
 }
 
 impl Plane {
+    /// Those that tell something of a control, in the order of their letters.
+    pub(crate) fn of(control: &Control<f64>) -> Vec<Self> {
+        let position = match control {
+            Control::Machine { stiffness } => Some(Plane::Position { stiffness: *stiffness }),
+            _ => None,
+        };
+        [Plane::Indentation, Plane::Radius].into_iter().chain(position).collect()
+    }
+
     fn point(self, state: &State) -> Point {
-        match self {
-            Plane::Indentation => [state.indentation, state.force],
-            Plane::Radius => [state.contact_radius, state.force],
-        }
+        let across = match self {
+            Plane::Indentation => state.indentation,
+            Plane::Radius => state.contact_radius,
+            Plane::Position { stiffness } => state.indentation + state.force / stiffness,
+        };
+        [across, state.force]
     }
 }
 
 /// The states that must be seen: in contact, with the curve between them.
-fn states(data: &Diagram) -> Vec<State> {
+fn states(data: &Diagram, plane: Plane) -> Vec<State> {
     let reached = data.path.iter().flat_map(|event| [event.before, event.after]).flatten();
     let mut states: Vec<State> = reached.filter(|state| state.contact_radius > 0.0).collect();
     if states.is_empty() {
@@ -78,18 +108,18 @@ fn states(data: &Diagram) -> Vec<State> {
     let between: Vec<State> = data.samples().filter(seen).map(state).collect();
     states.extend(between);
     states.extend(data.wall.iter().flatten());
-    states.extend(near(data, &states));
+    states.extend(near(data, plane, &states));
     states
 }
 
-/// The states before there is a contact and after it has come off, unless they are so far away that nothing else would be seen: a soft machine
-/// draws the body back a long way.
-fn near(data: &Diagram, states: &[State]) -> Vec<State> {
-    let depths = || states.iter().map(|state| state.indentation);
-    let (least, most) = (depths().fold(0.0, f64::min), depths().fold(0.0, f64::max));
+/// The states before there is a contact and after it has come off, unless they are so far away that nothing else would be seen: a
+/// soft machine draws the body back a long way.
+fn near(data: &Diagram, plane: Plane, states: &[State]) -> Vec<State> {
+    let places = || states.iter().map(|state| plane.point(state)[0]);
+    let (least, most) = (places().fold(0.0, f64::min), places().fold(0.0, f64::max));
     let apart = data.path.iter().filter(|event| matches!(event.kind, EventKind::Detached | EventKind::Start));
     let apart = apart.filter_map(|event| event.after);
-    apart.filter(|state| (2.0 * least - most..=2.0 * most - least).contains(&state.indentation)).collect()
+    apart.filter(|state| (2.0 * least - most..=2.0 * most - least).contains(&plane.point(state)[0])).collect()
 }
 
 fn state(sample: &CurveSample) -> State {
@@ -116,7 +146,7 @@ fn branches(data: &Diagram, plane: Plane) -> Vec<Layer> {
     for Branch { samples, .. } in data.advancing.iter().filter(|branch| branch.stable) {
         let points = samples.iter().map(|sample| plane.point(&state(sample))).collect();
         let layer = Layer::curve("advancing edge", points, Stroke::Thin).coloured(ADHESION);
-        layers.push(layer.meaning("equilibria of an advancing edge"));
+        layers.push(layer.meaning("advancing edge"));
     }
     layers
 }
@@ -131,7 +161,7 @@ fn travelled(data: &Diagram, plane: Plane) -> Vec<Layer> {
 
 /// The area of a closed cycle, which is the work lost in it.
 fn loop_area(data: &Diagram, plane: Plane) -> Option<Layer> {
-    if plane != Plane::Indentation || !is_cycle(&data.path) {
+    if plane == Plane::Radius || !is_cycle(&data.path) {
         return None;
     }
     let mut outline: Vec<Point> = Vec::new();
@@ -173,37 +203,63 @@ fn smooth(data: &Diagram, from: &State, to: &State) -> Vec<State> {
     states
 }
 
-/// Jumps as arrows; events numbered as in the caption.
+/// Jumps as arrows, resting states as discs; events numbered as in the caption.
 fn events(data: &Diagram, plane: Plane, x: &Axis) -> Vec<Layer> {
-    let mut layers = Vec::new();
-    for (index, event) in data.path.iter().enumerate() {
-        let Some(from) = event.before else { continue };
-        let to = event.after.unwrap_or(from);
-        let mut points: Vec<Point> = match plane {
-            // The line of the control.
-            Plane::Indentation => vec![plane.point(&from), plane.point(&to)],
-            Plane::Radius => {
-                data.jump(event).unwrap_or_else(|| vec![from, to]).iter().map(|state| plane.point(state)).collect()
-            }
-        };
-        // Where a body that has come off goes to under its load, and how far a contact spreads, is not in the diagram.
-        let [start, end] = [points[0], points[points.len() - 1]];
-        match (event.kind, plane) {
-            (EventKind::Detached, _) if end[0].is_nan() => points = vec![start, [x.range().0, start[1]]],
-            (EventKind::CompleteContact, Plane::Radius) => points = vec![start, [x.range().1, start[1]]],
-            // A logarithmic axis has no zero.
-            (_, Plane::Radius) => points.iter_mut().for_each(|point| point[0] = point[0].max(x.range().0)),
-            _ => {}
-        }
-        let moves = points.iter().any(|point| *point != points[0]);
-        if moves && points.iter().flatten().all(|value| value.is_finite()) {
-            layers.push(Layer::arrow(event.kind.name(), points).coloured(LOSS).meaning("jump"));
-        }
-        // Out of contact the radius tells nothing.
-        let apart = event.after.filter(|_| plane == Plane::Indentation);
-        if let Some(state) = event.in_contact().or(apart).filter(|_| data.path.len() <= MOST_NUMBERS) {
+    let mut layers: Vec<Layer> = data.path.iter().filter_map(|event| jump(data, event, plane, x)).collect();
+    if data.path.len() > MOST_NUMBERS {
+        return layers;
+    }
+    let is_fold = |state: &State| data.folds.iter().any(|fold| fold.contact_radius == state.contact_radius);
+    let resting = data.path.iter().filter_map(|event| event.after);
+    // Out of contact the radius tells nothing.
+    let is_told = |state: &State| state.contact_radius > 0.0 || plane != Plane::Radius;
+    let resting = resting.filter(|state| is_told(state) && !is_fold(state));
+    let points: Vec<Point> = resting.map(|state| plane.point(&state)).collect();
+    if !points.is_empty() {
+        layers.push(Layer::marks("events", points, mark(Stability::Stable)));
+    }
+    for (index, event) in data.path.iter().enumerate().filter(|(_, event)| event.before.is_some()) {
+        let apart = event.after.filter(|_| plane != Plane::Radius);
+        if let Some(state) = event.in_contact().or(apart) {
             layers.push(Layer::label((index + 1).to_string(), vec![plane.point(&state)], Side::Left));
         }
     }
     layers
+}
+
+/// The way of an event that changes the state.
+fn jump(data: &Diagram, event: &DiagramEvent, plane: Plane, x: &Axis) -> Option<Layer> {
+    let from = event.before?;
+    let to = event.after.unwrap_or(from);
+    let mut points: Vec<Point> = match plane {
+        // The line of the control.
+        Plane::Indentation | Plane::Position { .. } => vec![plane.point(&from), plane.point(&to)],
+        Plane::Radius => {
+            data.jump(event).unwrap_or_else(|| vec![from, to]).iter().map(|state| plane.point(state)).collect()
+        }
+    };
+    // Where a body that has come off goes to under its load, and how far a contact spreads, is not in the diagram.
+    let [start, end] = [points[0], points[points.len() - 1]];
+    match (event.kind, plane) {
+        (EventKind::Detached, _) if end[0].is_nan() => points = vec![start, [x.range().0, start[1]]],
+        (EventKind::CompleteContact, Plane::Radius) => points = vec![start, [x.range().1, start[1]]],
+        // A logarithmic axis has no zero.
+        (_, Plane::Radius) => points.iter_mut().for_each(|point| point[0] = point[0].max(x.range().0)),
+        _ => {}
+    }
+    let moves = points.iter().any(|point| *point != points[0]);
+    if !moves || !points.iter().flatten().all(|value| value.is_finite()) {
+        return None;
+    }
+    let kind = match event.kind {
+        EventKind::Detached => "pull-off",
+        kind => kind.name(),
+    };
+    // The arrow ends at the frame where the body goes farther.
+    let is_seen = (0.0..=1.0).contains(&x.fraction(points[points.len() - 1][0]));
+    let meaning = match plane {
+        Plane::Indentation if !is_seen => format!("{kind}, to *d* = {}", with_prefix(to.indentation, "m")),
+        _ => kind.to_owned(),
+    };
+    Some(Layer::arrow(event.kind.name(), points).coloured(LOSS).meaning(meaning))
 }

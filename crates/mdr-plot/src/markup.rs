@@ -51,16 +51,26 @@ pub(crate) fn width(text: &str) -> f64 {
     SIZE * runs(text).iter().map(em).sum::<f64>()
 }
 
-/// A text in lines no wider than `room`, broken between words; one line where it is empty.
+/// A text in lines no wider than `room`, broken between words, but not after a number; one line where it is empty.
 pub(crate) fn lines(text: &str, room: f64) -> Vec<String> {
-    let mut lines = vec![String::new()];
+    let mut words: Vec<String> = Vec::new();
     for word in text.split(' ') {
+        match words.last_mut() {
+            Some(number) if number.ends_with(|letter: char| letter.is_ascii_digit()) => {
+                number.push(' ');
+                number.push_str(word);
+            }
+            _ => words.push(word.to_owned()),
+        }
+    }
+    let mut lines = vec![String::new()];
+    for word in words {
         let last = lines.last_mut().expect("never empty");
-        let longer = if last.is_empty() { word.to_owned() } else { format!("{last} {word}") };
+        let longer = if last.is_empty() { word.clone() } else { format!("{last} {word}") };
         if last.is_empty() || width(&longer) <= room {
             *last = longer;
         } else {
-            lines.push(word.to_owned());
+            lines.push(word);
         }
     }
     lines
@@ -109,5 +119,6 @@ mod tests {
         assert_eq!(plain("a_b ^2 }"), "a_b ^2 }", "what is no markup stays");
         assert_eq!(lines("the first on pulling", 80.0), ["the first on", "pulling"]);
         assert_eq!(lines("", 80.0), [""]);
+        assert_eq!(lines("at *d* = −9.725 nm", 90.0), ["at *d* =", "−9.725 nm"], "a unit stays with its number");
     }
 }

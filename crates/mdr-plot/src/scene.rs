@@ -1,4 +1,4 @@
-//! The picture of a scene: the diagram {Δl, g − d}, and force against indentation and against contact radius.
+//! The picture of a scene: the diagram {Δl, g − d}, and force against indentation, contact radius and position.
 
 use std::borrow::Cow;
 
@@ -11,18 +11,18 @@ use crate::loading::{self, Plane};
 use crate::{Axis, Unit, typographic};
 
 /// The picture of a scene: (a) the balance of Δl and g − d at the edge of the contact, with the equilibria at some values of the
-/// controlled quantity; (b), (c) force against indentation depth and against contact radius, with the events of the path.
+/// controlled quantity; (b), (c) force against indentation depth and against contact radius, with the events of the path; (d) under
+/// a machine, force against its position.
 ///
 /// The caption has the state before and after each event. Lengths in metres, forces in newtons.
 pub fn scene(title: &str, diagram: &Diagram) -> Picture {
     Picture {
         title: title.to_owned(),
         description: description(diagram),
-        panels: vec![
-            balance(diagram),
-            loading::panel(diagram, Plane::Indentation),
-            loading::panel(diagram, Plane::Radius),
-        ],
+        panels: [balance(diagram)]
+            .into_iter()
+            .chain(Plane::of(&diagram.control).into_iter().map(|plane| loading::panel(diagram, plane)))
+            .collect(),
     }
 }
 
@@ -39,12 +39,13 @@ pub(crate) fn radius_axis(data: &Diagram) -> Axis {
     if spans_decades(data) {
         Axis::log(NAME, Unit::Si("m"), lower, upper)
     } else {
-        // A vertical edge is also visible from outside.
-        Axis::linear(NAME, Unit::Si("m"), 0.0, if data.wall.is_some() { 1.1 * upper } else { upper })
+        // A vertical edge is also visible from outside, and an arrow to radius 0 has room.
+        let upper = if data.wall.is_some() { 1.1 * upper } else { upper };
+        Axis::linear(NAME, Unit::Si("m"), -0.04 * upper, upper)
     }
 }
 
-/// The controlled quantity with its value, for a legend.
+/// The controlled quantity with its value.
 fn named(data: &Diagram, value: f64) -> String {
     let (name, unit) = match data.control {
         Control::Indentation => ("*d*", "m"),
@@ -55,7 +56,7 @@ fn named(data: &Diagram, value: f64) -> String {
 }
 
 /// Four significant digits and an SI prefix.
-fn with_prefix(value: f64, unit: &'static str) -> String {
+pub(crate) fn with_prefix(value: f64, unit: &'static str) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -74,7 +75,7 @@ const STROKES: [Stroke; 3] = [Stroke::Dashed, Stroke::DashDotted, Stroke::Dotted
 /// The diagram {Δl, g − d}.
 fn balance(data: &Diagram) -> Panel {
     let sides = Balance { diagram: Cow::Borrowed(data), units: [1.0; 2] };
-    let mut panel = Panel::new("(a)  balance at the edge of the contact", radius_axis(data), balance_heights(data));
+    let mut panel = Panel::new("(a)  balance at the contact edge", radius_axis(data), balance_heights(data));
     panel.layers.push(sides.elongation().meaning("Δ*l*"));
     let crowded = data.folds.len() > CROWD;
     let shown = if crowded { &data.held[..data.held.len().min(1)] } else { &data.held[..] };
@@ -124,7 +125,7 @@ fn balance_heights(data: &Diagram) -> Axis {
 fn directions(data: &Diagram, held: &HeldCurve, Panel { x, y, .. }: &Panel) -> Vec<Layer> {
     const REACH: f64 = 0.06;
     let states = held.equilibria.iter().map(|state| x.fraction(state.contact_radius));
-    let ends: Vec<f64> = [0.0].into_iter().chain(states).chain([1.0]).collect();
+    let ends: Vec<f64> = [x.fraction(0.0).max(0.0)].into_iter().chain(states).chain([1.0]).collect();
     let samples: Vec<&CurveSample> = data.samples().collect();
     let height = y.at(0.07);
     let mut layers = Vec::new();
@@ -137,7 +138,7 @@ fn directions(data: &Diagram, held: &HeldCurve, Panel { x, y, .. }: &Panel) -> V
         let grows = *shifted < sample.elongation;
         let reach = if grows { REACH / 2.0 } else { -REACH / 2.0 };
         let [from, to] = [middle - reach, middle + reach].map(|at| [x.at(at), height]);
-        layers.push(change(grows, from, to).meaning("direction of change at the first value"));
+        layers.push(change(grows, from, to));
     }
     layers
 }
@@ -156,8 +157,12 @@ fn description(data: &Diagram) -> String {
     };
     let mut text = format!(
         "Under {control}, computed in f64. (a) The diagram of Δl(a) and g(a) − d; equilibria are where the curves meet. \
-         (b), (c) Force against indentation depth and against contact radius: stable equilibria solid, unstable ones \
-         dashed, jumps as arrows. The contact is assumed to be simply connected. {} folds in the range of radii shown, {}.",
+         (b), (c) Force against indentation depth and against contact radius{}: stable equilibria solid, unstable ones \
+         dashed, jumps as arrows, events numbered. The contact is assumed to be simply connected. {} folds in the range of radii shown, {}.",
+        match data.control {
+            Control::Machine { .. } => ", (d) against the position D = d + F/k",
+            _ => "",
+        },
         data.folds.len(),
         match data.completeness {
             SearchQuality::Resolved => "not proved to be all",

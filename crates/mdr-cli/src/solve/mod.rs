@@ -25,7 +25,7 @@ const IN_F64: &str =
     "Hardware arithmetic instead: fast, to some roundings times the condition of the question; nothing is proved";
 
 /// The help of `--plot`.
-const PICTURE: &str = "Draw the contact, its branches and its path as SVG, and write the data as CSV beside it; in f64";
+const PICTURE: &str = "Draw the contact, its branches and its path as SVG, PNG or PDF by the name of the file, and write the data as CSV beside it; in f64";
 
 /// Solve a scene: transform, equilibria, folds, loading path, curve, pressure, gap, displacement and energy of a contact.
 ///
@@ -112,7 +112,9 @@ fn picture(scene: &Scene, from: &Path) -> Result<Picture> {
 /// A picture that cannot be drawn names its flag.
 fn not_drawn(failure: Failure) -> Failure {
     match failure {
-        failure @ (Failure::Answer(Error::Scene { .. } | Error::Io { .. }) | Failure::File { .. }) => failure,
+        failure @ (Failure::Answer(Error::Scene { .. } | Error::Io { .. })
+        | Failure::File { .. }
+        | Failure::Flag { .. }) => failure,
         failure => Failure::refused("--plot", format_args!("the picture is drawn in f64: {failure}")),
     }
 }

@@ -59,13 +59,14 @@ pub(super) fn figure_1b() -> Result<Picture> {
     let panel = critical_panel("(b)  *g*(*a*) − *d*, pressed in and pulled out", 4.0, [-1.4, 4.4]);
     let (mut study, unit) = paraboloid(panel, &depths.map(|(share, ..)| share))?;
     study.add([study.elongation()]);
-    let mut radii = Vec::new();
+    let (mut radii, mut unstable) = (Vec::new(), Vec::new());
     for (share, name, stroke) in depths {
         let d = share * unit;
         study.add([study.transformed(d, &format!("*g*(*a*) − *d*, {name}"), stroke).meaning(name)]);
-        for state in study.equilibria(d).to_vec().iter().filter(|state| state.stability == Stability::Stable) {
+        for state in study.equilibria(d).to_vec().iter().filter(|state| state.stability != Stability::Neutral) {
             study.add(study.state(state, "", Side::Below));
-            radii.push(format!("{:.5} a_c", state.contact_radius / study.fold()));
+            let list = if state.stability == Stability::Stable { &mut radii } else { &mut unstable };
+            list.push(format!("{:.5} a_c", state.contact_radius / study.fold()));
         }
     }
     study.add(study.critical());
@@ -75,8 +76,9 @@ pub(super) fn figure_1b() -> Result<Picture> {
         description: format!(
             "The diagram {{Δl(a), g(a) − d}} of a paraboloid. Pressing (d > 0) moves the curve of g down and the \
              stable equilibrium to a larger radius, pulling moves it up. The last equilibrium P, where the curves \
-             touch (1.10), is at a = a_c, d = d_c. Stable radii: {}.",
+             touch (1.10), is at a = a_c, d = d_c. Stable radii: {}; unstable, at d_c < d < 0: {}.",
             radii.join(", "),
+            unstable.join(", "),
         ),
         panels: vec![study.panel],
     })

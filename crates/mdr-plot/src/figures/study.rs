@@ -102,7 +102,10 @@ impl Study {
     /// The critical state P, and its label.
     pub(super) fn critical(&self) -> [Layer; 2] {
         let at = vec![self.sides.on_elongation(self.fold())];
-        [Layer::marks("*P*", at.clone(), Mark::Diamond).meaning("critical"), Layer::label("*P*", at, Side::Below)]
+        [
+            Layer::marks("*P*", at.clone(), Mark::Diamond).meaning("last equilibrium"),
+            Layer::label("*P*", at, Side::Below),
+        ]
     }
 
     /// A guide from Δl down to the axis of radii, with a label at its foot.
@@ -119,7 +122,7 @@ impl Study {
         let grows = next.is_some_and(|sample| sample.transformed - d < sample.elongation);
         let reach = (x.at(0.075) - x.at(0.0)) * if grows { 1.0 } else { -1.0 };
         let (from, height) = (a / units[0], y.at(ARROW_HEIGHT));
-        change(grows, [from, height], [from + reach, height]).meaning("direction of change")
+        change(grows, [from, height], [from + reach, height])
     }
 }
 

@@ -2,7 +2,7 @@
 
 use mdr::Result;
 use mdr::diagram::State;
-use mdr::prelude::{Elasticity, EventKind, Scene, Shape};
+use mdr::prelude::{Elasticity, EventKind, Scene, Shape, Stability};
 
 use super::study::{ARROW_HEIGHT, Study};
 use crate::balance::LOSS;
@@ -32,8 +32,8 @@ pub(super) fn figure_4() -> Result<Picture> {
         let axis = |quantity, upper| Axis::linear(quantity, Unit::Si("m"), 0.0, upper);
         let (x, y) = (axis("contact radius *a*", UPPER), axis("length", UNPULLED));
         let panel = Panel::new(format!("({letter})  *g*(*a*) − *d*, {waves}"), x, y);
-        let mut study = Study::new(scene, [1.0; 2], &[], panel)?;
-        let history = History::of(&study);
+        let history = History::of(&Study::new(scene.clone(), [1.0; 2], &[], panel.clone())?);
+        let mut study = Study::new(scene, [1.0; 2], &history.depths(), panel)?;
         description.push_str(&format!(" ({letter}) A = {amplitude} m, λ = {wavelength} m: {}", history.description()));
         let deepest = history.jumps.iter().map(|jump| jump.d).fold(0.0, f64::min);
         study.panel.y = axis("length", UNPULLED - deepest);
@@ -86,6 +86,11 @@ impl History {
         text
     }
 
+    /// The indentations of the curves that are drawn, in m.
+    fn depths(&self) -> Vec<f64> {
+        [0.0].into_iter().chain(self.jumps.iter().map(|jump| jump.d)).collect()
+    }
+
     fn draw(&self, study: &mut Study) {
         const STROKES: [Stroke; 4] = [Stroke::Dashed, Stroke::DashDotted, Stroke::Dotted, Stroke::Thin];
         study.add([study.elongation(), study.ending(&study.elongation(), Side::Below)]);
@@ -103,10 +108,20 @@ impl History {
 
     /// Radii as the paper names them: a_0 at the start, then those where the curves touch, and a_2 where the first jump ends.
     fn mark(&self, study: &mut Study) {
+        // A fold has two equilibria that rounding keeps apart.
+        let is_fold = |a: f64| self.jumps.iter().any(|jump| (jump.from / a - 1.0).abs() < 1e-3);
+        for d in self.depths() {
+            let states = study.equilibria(d).iter();
+            let states =
+                states.filter(|state| state.stability == Stability::Unstable && !is_fold(state.contact_radius));
+            let marks = study.sides.states("unstable", states, Stability::Unstable);
+            study.add(Some(marks).filter(|marks| !marks.points.is_empty()));
+        }
         let stable = |a: f64| (a, Mark::Filled, "stable");
         let mut states = vec![stable(self.start)];
         for Jump { from, to, .. } in &self.jumps {
-            states.push((*from, Mark::Diamond, "critical"));
+            let meaning = if states.len() == 1 { "first point of instability" } else { "instability" };
+            states.push((*from, Mark::Diamond, meaning));
             states.extend(to.map(stable));
         }
         let mut names = (0..).map(|number| format!("*a*_{{{number}}}")).peekable();

@@ -1,13 +1,20 @@
 //! One panel being drawn.
 
-use super::{LEFT, LINE, Legend, Name, Room, SAMPLE, class};
+use super::LINE;
+use super::layout::above;
+use super::room::Room;
+use super::style::class;
+use super::words::{Word, words};
 use crate::Axis;
-use crate::chart::{Colour, Layer, Look, Mark, Panel, Point, Side, Stroke};
-use crate::markup::{plain, tspans, width};
+use crate::chart::{Colour, Layer, Look, Mark, Panel, Point, Stroke};
+use crate::markup::{plain, tspans};
 
 /// Radius of a mark, length and half width of an arrow head.
 pub(super) const MARK: f64 = 3.2;
 const HEAD: (f64, f64) = (8.0, 3.0);
+
+/// Between a frame and the numbers at its left.
+pub(super) const NUMBERS: f64 = 6.0;
 
 /// Points of a curve nearer to the last one than this are left out.
 const NEAR: f64 = 0.3;
@@ -16,67 +23,52 @@ const NEAR: f64 = 0.3;
 pub(super) struct Frame<'a> {
     pub(super) panel: &'a Panel,
     pub(super) size: [f64; 2],
+    /// What is to the left of the frame.
+    pub(super) left: f64,
     pub(super) svg: &'a mut String,
 }
 
-impl Frame<'_> {
-    pub(super) fn draw(&mut self, named: Vec<Name<'_>>) {
+impl<'a> Frame<'a> {
+    pub(super) fn draw(&mut self) {
         let [width, height] = self.size;
+        let panel: &'a Panel = self.panel;
         self.axes();
         // An SVG inside cuts what leaves the frame.
-        self.svg.push_str(&format!("<svg width=\"{width:.0}\" height=\"{height:.0}\">\n"));
-        for layer in &self.panel.layers {
-            if !matches!(layer.look, Look::Marks(_)) {
-                self.layer(layer, &self.places(layer));
-            }
+        self.svg.push_str(&format!("<svg class=\"frame\" width=\"{width:.0}\" height=\"{height:.0}\">\n"));
+        for layer in panel.layers.iter().filter(|layer| matches!(layer.look, Look::Area | Look::Curve(_))) {
+            self.layer(layer, &self.places(layer));
         }
         self.svg.push_str("</svg>\n");
-        let mut taken = Vec::new();
-        for layer in &self.panel.layers {
-            if let Look::Marks(_) = layer.look {
-                let seen = self.seen(layer);
-                self.layer(layer, &seen);
-                taken.extend(seen.iter().map(|at| Room::around(*at, 2.0 * MARK, 2.0 * MARK)));
-            }
+        for layer in panel.layers.iter().filter(|layer| layer.look == Look::Arrow) {
+            self.layer(layer, &self.places(layer));
         }
-        for Name { text, colour, room } in named {
-            self.name(text, colour, &room);
-            taken.push(room);
+        for layer in panel.layers.iter().filter(|layer| matches!(layer.look, Look::Marks(_))) {
+            self.layer(layer, &self.seen(layer));
         }
-        for layer in &self.panel.layers {
-            if let Look::Label(side) = layer.look {
-                self.label(layer, side, &mut taken);
-            }
+        for word in words(self) {
+            self.word(&word);
         }
     }
 
-    /// A layer with its points at these places; labels look for theirs when all else is drawn.
+    /// A layer with its points at these places; words look for theirs when all else is drawn.
     fn layer(&mut self, layer: &Layer, places: &[Point]) {
         match layer.look {
             Look::Area => self.path("area", layer.colour, &outline(places)),
             Look::Curve(stroke) => self.line(stroke, layer.colour, places),
-            Look::Arrow => self.arrow(layer.colour, places),
-            Look::Marks(mark) => places.iter().for_each(|at| self.mark(mark, layer.colour, *at)),
+            Look::Arrow => self.arrow(layer.colour, &self.arrow_line(places)),
+            Look::Marks(mark) => places.iter().for_each(|at| self.mark(mark, layer.scale * MARK, layer.colour, *at)),
             Look::Label(_) => {}
         }
     }
 
-    /// The heading, and the legend below it.
-    pub(super) fn head(&mut self, legend: &Legend<'_>, height: f64) {
-        for (row, line) in legend.heading.iter().enumerate() {
-            self.text([0.0, LINE * row as f64 + 12.0 - height], "heading", line);
-        }
-        for entry in &legend.entries {
-            let y = LINE * ((legend.heading.len() + entry.row) as f64 + 0.5) - height;
-            let ends = [[entry.left, y], [entry.left + SAMPLE - 6.0, y]];
-            for layer in &entry.layers {
-                match layer.look {
-                    Look::Area => self.layer(layer, &corners(ends, 4.0)),
-                    Look::Marks(_) => self.layer(layer, &[[f64::midpoint(ends[0][0], ends[1][0]), y]]),
-                    _ => self.layer(layer, &ends),
-                }
+    /// The heading, and the notes below it.
+    pub(super) fn head(&mut self, height: f64) {
+        let mut y = 12.0 - height;
+        for (class, lines) in above(self.panel, self.size[0]) {
+            for line in lines {
+                self.text([0.0, y], class, &line);
+                y += LINE;
             }
-            self.text([entry.left + entry.indent(), y + 4.0], "", entry.text);
         }
     }
 
@@ -91,42 +83,47 @@ impl Frame<'_> {
         for tick in y.ticks((height / 28.0) as usize) {
             let at = height - tick.fraction * height;
             self.svg.push_str(&format!("<path class=\"grid\" d=\"M0 {at:.1}H{width:.0}\"/>\n"));
-            self.text([-6.0, at + 4.0], "note end", &tick.text);
+            let class = if y.names().is_empty() { "note end" } else { "end" };
+            self.text([-NUMBERS, at + 4.0], class, &tick.text);
         }
         let zero = height - y.fraction(0.0).clamp(0.0, 1.0) * height;
-        if zero.is_finite() {
+        if zero.is_finite() && y.names().is_empty() {
             self.svg.push_str(&format!("<path class=\"zero\" d=\"M0 {zero:.1}H{width:.0}\"/>\n"));
         }
+        let zero = x.fraction(0.0);
+        if (0.001..0.999).contains(&zero) {
+            self.svg.push_str(&format!("<path class=\"zero\" d=\"M{:.1} 0V{height:.0}\"/>\n", zero * width));
+        }
         self.text([width, height + 30.0], "end", &x.title());
-        self.text([-LEFT + 6.0, -8.0], "", &y.title());
+        self.text([6.0 - self.left, -8.0], "", &y.title());
     }
 
-    /// Writes a text on the wanted side of the first of its places with room for it there, else on another side; without any
-    /// room beside the first place.
-    fn label(&mut self, layer: &Layer, side: Side, taken: &mut Vec<Room>) {
-        let anchors = self.seen(layer);
-        let size = (width(&layer.name), LINE - 2.0);
-        let sides = [side, Side::Right, Side::Left, Side::Above, Side::Below];
-        let rooms = || sides.into_iter().flat_map(|side| anchors.iter().map(move |at| Room::beside(*at, side, size)));
-        let free = |room: &Room| self.holds(room) && !taken.iter().any(|other| room.overlaps(other));
-        let Some(room) = rooms().find(free).or_else(|| rooms().next()) else { return };
-        self.name(&layer.name, layer.colour, &room);
-        taken.push(room);
+    /// A word in the middle of its room, with the line to what it names.
+    fn word(&mut self, word: &Word) {
+        if let Some(ends) = word.leader {
+            self.svg.push_str(&format!("<path class=\"leader\" d=\"{}\"/>\n", polyline(&ends)));
+        }
+        let [x, y] = word.room.centre;
+        let top = y + 4.0 - 0.5 * LINE * (word.lines.len() as f64 - 1.0);
+        for (row, line) in word.lines.iter().enumerate() {
+            self.text([x, top + LINE * row as f64], &format!("label middle {}", class(word.colour)), line);
+        }
     }
 
-    /// A text in the middle of its room.
-    fn name(&mut self, text: &str, colour: Colour, room: &Room) {
-        self.text([room.centre[0], room.centre[1] + 4.0], &format!("label middle {}", class(colour)), text);
+    /// The frame, or what it holds within a margin.
+    pub(super) fn room(&self, margin: f64) -> Room {
+        let [width, height] = self.size;
+        Room::around([width / 2.0, height / 2.0], [width - 2.0 * margin, height - 2.0 * margin])
     }
 
-    pub(super) fn holds(&self, room: &Room) -> bool {
-        (0..2)
-            .all(|axis| room.centre[axis] >= room.half[axis] && room.centre[axis] <= self.size[axis] - room.half[axis])
+    /// The line of an arrow as far as its head stays in the frame.
+    pub(super) fn arrow_line(&self, places: &[Point]) -> Vec<Point> {
+        self.room(HEAD.1 + 0.5).first_part(places)
     }
 
     /// The points of a layer within the frame.
     pub(super) fn seen(&self, layer: &Layer) -> Vec<Point> {
-        self.places(layer).into_iter().filter(|at| self.holds(&Room::around(*at, 0.0, 0.0))).collect()
+        self.places(layer).into_iter().filter(|at| self.room(0.0).holds(*at)).collect()
     }
 
     /// The points of a layer on the sheet; not finite where an axis has no place for one.
@@ -173,34 +170,29 @@ impl Frame<'_> {
         let mut line = places[..=last].to_vec();
         line.push(back(length, 0.0));
         self.line(Stroke::Thin, colour, &line);
-        self.path("full", colour, &outline(&[*to, back(length, half), back(length, -half)]));
+        self.path("full tip", colour, &outline(&[*to, back(length, half), back(length, -half)]));
     }
 
-    fn mark(&mut self, mark: Mark, colour: Colour, [x, y]: Point) {
+    fn mark(&mut self, mark: Mark, radius: f64, colour: Colour, [x, y]: Point) {
         match mark {
             Mark::Filled | Mark::Open => {
                 let kind = if mark == Mark::Filled { "full" } else { "open" };
                 self.svg.push_str(&format!(
-                    "<circle class=\"{kind} {}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{MARK}\"/>\n",
+                    "<circle class=\"{kind} {}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius:.1}\"/>\n",
                     class(colour)
                 ));
             }
             Mark::Diamond => {
-                let reach = 1.4 * MARK;
+                let reach = 1.4 * radius;
                 self.path("full", colour, &outline(&[[x, y - reach], [x + reach, y], [x, y + reach], [x - reach, y]]));
             }
             Mark::Cross => {
-                for rise in [-MARK, MARK] {
-                    self.line(Stroke::Solid, colour, &[[x - MARK, y - rise], [x + MARK, y + rise]]);
+                for rise in [-radius, radius] {
+                    self.line(Stroke::Solid, colour, &[[x - radius, y - rise], [x + radius, y + rise]]);
                 }
             }
         }
     }
-}
-
-/// The rectangle around a horizontal line.
-fn corners([[left, y], [right, _]]: [Point; 2], half: f64) -> [Point; 4] {
-    [[left, y - half], [right, y - half], [right, y + half], [left, y + half]]
 }
 
 /// The data of a path through the places, broken where one is not finite. Indistinguishable places are one.
