@@ -197,6 +197,7 @@ impl Tip<f64> {
 }
 
 /// How a contact of radius a answers to its radius: S and Δl with their derivatives.
+#[derive(Clone, Debug)]
 struct Springs<R> {
     /// The modulus M of the medium; 2E* of a half-space.
     factor: R,
@@ -245,6 +246,7 @@ pub(super) struct Point<R> {
     pub(super) f: R,
     /// d less the mean of g.
     above_mean: R,
+    springs: Springs<R>,
     /// (X, Y), offsets included.
     pub(super) at: [R; 2],
     /// Derivatives of d, F and a with respect to the parameter of the curve.
@@ -350,7 +352,7 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
         let slopes = [d_slope.clone(), f_slope.clone(), a_slope.clone()];
         let tangent = self.observe(d_slope, f_slope, a_slope);
         let beyond_edge = edge.is_some();
-        Ok(Point { a, d, f, above_mean, at: [x + x0, y + y0], slopes, tangent, beyond_edge })
+        Ok(Point { a, d, f, above_mean, springs, at: [x + x0, y + y0], slopes, tangent, beyond_edge })
     }
 
     /// ∂(X, Y) at a fixed parameter of the curve, with respect to an offset or to the logarithm of another number.
@@ -393,7 +395,7 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
 
     /// ∂(d, F, a) by the motion of a pinned edge: along F = S d − ∫S'g, from d = g(a) − Δl(a) on.
     fn pinned_partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 3]> {
-        let Point { a, d, .. } = point;
+        let Point { a, d, springs, .. } = point;
         let zero = || a.lit(0);
         let speed = match &self.pinned {
             Some(speeds) if point.beyond_edge => speeds.iter().find(|(of, _)| *of == kind).map(|(_, speed)| speed),
@@ -401,9 +403,9 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
         };
         let Some(speed) = speed else { return Ok([zero(), zero(), zero()]) };
         let transform = &self.tip.transform;
-        let Springs { factor, stiffness: [stiffness, slope, _], elongation: [_, change, _] } = self.springs(a)?;
+        let Springs { factor, stiffness: [stiffness, slope, _], elongation: [_, change, _] } = springs;
         let d_slope = transform.slope(a)? - change;
-        let f_slope = ((d.clone() - &transform.g(a)?) * &slope + stiffness * &d_slope) * &factor;
+        let f_slope = ((d.clone() - &transform.g(a)?) * slope + stiffness.clone() * &d_slope) * factor;
         Ok([d_slope * speed, f_slope * speed, speed.clone()])
     }
 
@@ -418,12 +420,11 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
 
     /// ∂(d, F, a) at a fixed parameter of the curve.
     pub(super) fn state_partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 3]> {
-        let Point { a, above_mean, .. } = point;
-        let Springs { factor, stiffness: [stiffness, slope, _], elongation: [elongation, change, _] } =
-            self.springs(a)?;
-        let half = elongation.over(2);
+        let Point { a, above_mean, springs, .. } = point;
+        let Springs { factor, stiffness: [stiffness, slope, _], elongation: [elongation, change, _] } = springs;
+        let half = elongation.clone().over(2);
         // Both Δl and the force of the springs at the edge change with a factor of the modulus.
-        let lever = factor.clone() * &stiffness * &half;
+        let lever = factor.clone() * stiffness * &half;
         let fixed = match kind {
             Kind::EffectiveModulus => [half, lever + &point.f, a.lit(0)],
             kind if self.has_work(kind) => [-half, -lever, a.lit(0)],
@@ -433,9 +434,9 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
                 let at_edge = if point.beyond_edge && self.pinned.is_none() { dual.outer_radius() } else { None };
                 let radius = at_edge.unwrap_or_else(|| Dual::constant(a.clone()));
                 let moved = radius.slope.clone();
-                let d = dual.g(&radius)?.slope - change * &moved;
+                let d = dual.g(&radius)?.slope - change.clone() * &moved;
                 let shift = d.clone() - &dual.mean(&radius)?.slope;
-                let f = (moved.clone() * &slope * above_mean + stiffness * &shift) * &factor;
+                let f = (moved.clone() * slope * above_mean + stiffness.clone() * &shift) * factor;
                 [d, f, moved]
             }
             _ => [a.lit(0), a.lit(0), a.lit(0)],
@@ -459,7 +460,7 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
             return Ok([a.lit(0), a.lit(0)]);
         }
         let slope = self.tip.curvature.slope(&Dual::variable(a.clone()))?;
-        let Springs { factor, stiffness, elongation } = self.springs(a)?;
+        let Springs { factor, stiffness, elongation } = point.springs.clone();
         let ([stiffness, growth, more], [elongation, change, bend]) = (stiffness, elongation);
         let d_slope = slope.value - &change;
         let d_curvature = slope.slope - bend;
@@ -474,8 +475,7 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
     /// # Errors
     /// Errors of the transform.
     pub(super) fn x_slope_partial(&self, kind: Kind, point: &Point<R>) -> Result<R> {
-        let Point { a, slopes: [d_slope, f_slope, _], .. } = point;
-        let springs = self.springs(a)?;
+        let Point { a, springs, slopes: [d_slope, f_slope, _], .. } = point;
         let [elongation, change, _] = &springs.elongation;
         let (quarter, half) = (change.clone().over(2), elongation.clone().over(2));
         let zero = || a.lit(0);

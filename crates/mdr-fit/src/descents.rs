@@ -3,7 +3,7 @@
 use mdr_core::contact::Shape;
 
 use super::arcs::Arc;
-use super::minimise::{self, Minimum};
+use super::minimise::{self, Minimum, Precision};
 use super::objective::{AtFold, Objective};
 use super::start::{self, Source};
 use mdr::Result;
@@ -42,6 +42,7 @@ const FOLLOWED: usize = 4;
 const NEAR: [f64; 2] = [1.5, 20.0];
 
 /// A minimum on the way, with the sum of squares of all rows there.
+#[derive(Clone)]
 pub(super) struct Attempt {
     pub(super) start: &'static str,
     pub(super) fitted: Vec<f64>,
@@ -106,10 +107,9 @@ impl Search {
     fn descend(&mut self, objective: &mut Objective<'_>, start: &'static str, values: &[f64], scales: Option<&[f64]>) {
         match self.reduced(objective, values, scales) {
             Ok((fitted, cost, detached)) => {
-                let is_same = |other: &Attempt| {
-                    other.detached == detached && (other.cost - cost).abs() <= 1e-4 * cost.min(other.cost)
-                };
-                if !self.tried.iter().any(is_same) {
+                let end = [cost, detached as f64];
+                let known = |other: &Attempt| is_same([other.cost, other.detached as f64], end, 1e-4);
+                if !self.tried.iter().any(known) {
                     self.tried.push(Attempt { start, fitted, cost, detached });
                 }
             }
@@ -142,8 +142,7 @@ impl Search {
         }
         objective.rows = all;
         let evaluation = objective.evaluate(&fitted, None)?;
-        let detached = evaluation.labels.iter().filter(|label| **label == 0).count();
-        Ok((fitted, evaluation.cost(), detached))
+        Ok((fitted, evaluation.cost(), evaluation.detached()))
     }
 
     /// All rows, from the best ends on.
@@ -151,13 +150,30 @@ impl Search {
         self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
         let least = self.tried.first().map_or(f64::INFINITY, |attempt| attempt.cost);
         let mut best: Option<Minimum> = None;
+        // The ends of free descents that were followed, and where they led.
+        let mut known: Vec<([f64; 2], Attempt)> = Vec::new();
         for attempt in self.tried.iter_mut().take(FOLLOWED).filter(|attempt| attempt.cost <= NEAR[0] * least + NEAR[1])
         {
-            match settled(objective, &attempt.fitted, self.evaluations) {
+            objective.at_fold.clear();
+            let free = match descended(objective, &attempt.fitted, self.evaluations) {
+                Ok(free) => free,
+                Err(error) => {
+                    self.failure = Some(error);
+                    continue;
+                }
+            };
+            self.evaluations = free.evaluations;
+            let end = [free.evaluation.cost(), free.evaluation.detached() as f64];
+            if let Some((_, led)) = known.iter().find(|(other, _)| is_same(*other, end, 1e-8)) {
+                *attempt = Attempt { start: attempt.start, ..led.clone() };
+                continue;
+            }
+            match settled(objective, free, &attempt.fitted) {
                 Ok(minimum) => {
                     attempt.fitted.clone_from(&minimum.fitted);
                     attempt.cost = minimum.evaluation.cost();
-                    attempt.detached = minimum.evaluation.labels.iter().filter(|label| **label == 0).count();
+                    attempt.detached = minimum.evaluation.detached();
+                    known.push((end, attempt.clone()));
                     self.evaluations = minimum.evaluations;
                     if best.as_ref().is_none_or(|best| minimum.evaluation.cost() < best.evaluation.cost()) {
                         best = Some(minimum);
@@ -168,9 +184,9 @@ impl Search {
         }
         self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
         match best {
-            Some(mut minimum) => {
-                minimum.evaluations = self.evaluations;
+            Some(minimum) => {
                 objective.at_fold.clone_from(&minimum.at_fold);
+                let minimum = minimise::polish(objective, &minimum.fitted, self.evaluations, Precision::Full)?;
                 Ok(Found { minimum, tried: self.tried })
             }
             None => Err(no_start(objective, self.failure)),
@@ -178,14 +194,17 @@ impl Search {
     }
 }
 
-/// The least minimum of all rows near a start.
+/// Whether two ends, each a sum of squares and a number of detached rows, are one.
+fn is_same([cost, detached]: [f64; 2], other: [f64; 2], tolerance: f64) -> bool {
+    detached == other[1] && (cost - other[0]).abs() <= tolerance * cost.min(other[0])
+}
+
+/// The least minimum of all rows near a start, from which a descent has led to the free one.
 ///
 /// Where x is exact the fold is at or beyond the last row of its arc, since rows in contact lie on the curve. Beside a fold the curve rises
 /// or falls as the root of the distance, so that there may be several minima: one with the fold at the row, where the sum of squares has a
 /// kink, and others with the fold beyond it, to which the other rows lead, or at which the curve goes through the row.
-fn settled(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
-    objective.at_fold.clear();
-    let free = descended(objective, start, evaluations)?;
+fn settled(objective: &mut Objective<'_>, free: Minimum, start: &[f64]) -> mdr_core::contact::Result<Minimum> {
     if objective.x_scale.is_some() {
         return Ok(free);
     }
@@ -195,11 +214,11 @@ fn settled(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> 
     }
     let mut evaluations = free.evaluations;
     let mut ends = Vec::new();
-    if !is_beyond(&free) {
+    if !free.evaluation.is_beyond() {
         ends.push(free);
     } else if let Ok(led) = led_by_others(objective, start, &rows, evaluations) {
         evaluations = led.evaluations;
-        if !is_beyond(&led) {
+        if !led.evaluation.is_beyond() {
             ends.push(led);
         }
     }
@@ -209,7 +228,7 @@ fn settled(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> 
     if let Ok(held) = held {
         evaluations = held.evaluations;
         if let Ok(released) = released(objective, &held, evaluations)
-            && !is_beyond(&released)
+            && !released.evaluation.is_beyond()
         {
             ends.push(released);
         }
@@ -227,8 +246,8 @@ fn settled(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> 
 }
 
 fn descended(objective: &Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
-    let (fitted, more) = minimise::descend(objective, start, 1e-12, 100)?;
-    minimise::polish(objective, &fitted, evaluations + more)
+    let (fitted, more) = minimise::descend(objective, start, 1e-6, 100)?;
+    minimise::polish(objective, &fitted, evaluations + more, Precision::Comparable)
 }
 
 /// The minimum to which all rows but these lead, then with them.
@@ -261,11 +280,6 @@ fn released(objective: &mut Objective<'_>, held: &Minimum, evaluations: usize) -
     objective.at_fold.clear();
     let (fitted, more) = away?;
     descended(objective, &fitted, evaluations + more)
-}
-
-/// Whether a row is compared with the fold at which its arc ends.
-fn is_beyond(minimum: &Minimum) -> bool {
-    minimum.evaluation.feet.iter().flatten().any(|foot| foot.is_end)
 }
 
 /// The last rows of arcs that lie beyond the fold or nearer to it than the noise resolves.

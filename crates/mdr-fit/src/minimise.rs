@@ -106,8 +106,28 @@ fn inside_bounds(objective: &Objective<'_>, fitted: &[f64]) -> Vec<f64> {
     fitted.iter().enumerate().map(inside).collect()
 }
 
-/// Gauss–Newton steps from near a minimum until they are of the size of rounding; Newton steps where the curvature of the curve
-/// beside a fold keeps the others from converging.
+/// How far a minimum is followed.
+#[derive(Clone, Copy)]
+pub(super) enum Precision {
+    /// Enough to compare minima and to see what is near a fold.
+    Comparable,
+    /// Far below what the data resolve: the last step changes the estimates by less than 10⁻¹¹ √N standard errors.
+    Full,
+}
+
+impl Precision {
+    /// The change of the curve by a step, as a share of the residuals, below which no further step is taken, and that above which second
+    /// derivatives are worth their evaluations.
+    fn steps(self) -> [f64; 2] {
+        match self {
+            Precision::Comparable => [1e-7, 1e-6],
+            Precision::Full => [1e-11, 1e-9],
+        }
+    }
+}
+
+/// Gauss–Newton steps from near a minimum; Newton steps where the curvature of the curve beside a fold keeps the others from
+/// converging.
 ///
 /// # Errors
 /// Where the objective has no value.
@@ -115,12 +135,15 @@ pub(super) fn polish(
     objective: &Objective<'_>,
     start: &[f64],
     mut evaluations: usize,
+    precision: Precision,
 ) -> mdr_core::contact::Result<Minimum> {
+    let [smallest, slow] = precision.steps();
     let mut fitted = start.to_vec();
     let mut evaluation = objective.evaluate(&fitted, None)?;
     let mut jacobian = objective.jacobian(&fitted, &evaluation)?;
     let mut hessian: Option<DMatrix<f64>> = None;
     let mut last = f64::INFINITY;
+    let mut steps = Steps::default();
     for _ in 0..60 {
         evaluations += 1;
         let held = held(objective, &fitted, &jacobian, &evaluation);
@@ -128,7 +151,9 @@ pub(super) fn polish(
             None => step(&jacobian, &evaluation.residuals, &held),
             Some(hessian) => newton_step(hessian, &jacobian, &evaluation.residuals, &held),
         };
-        let next: Vec<f64> = fitted.iter().zip(step.iter()).map(|(value, step)| value - step).collect();
+        let is_free = !held.contains(&true);
+        let accelerated = steps.next(&fitted, &step, &jacobian).filter(|_| is_free).unwrap_or_else(|| step.clone());
+        let next: Vec<f64> = fitted.iter().zip(accelerated.iter()).map(|(value, step)| value - step).collect();
         let next = inside_bounds(objective, &next);
         let size = (&jacobian * &step).norm() / evaluation.residuals.norm().max(f64::MIN_POSITIVE);
         // Steps that no longer become smaller are rounding; larger ones lead away.
@@ -138,16 +163,17 @@ pub(super) fn polish(
                 jacobian = objective.jacobian(&next, &candidate)?;
                 (fitted, evaluation, last) = (next, candidate, size);
             }
-            None if hessian.is_none() && size > 1e-13 => {
+            // What has rows beyond the fold is no end where x is exact.
+            None if hessian.is_none() && size > slow && !(objective.x_scale.is_none() && evaluation.is_beyond()) => {
                 hessian = curvature(objective, &fitted, &evaluation, &jacobian);
-                last = f64::INFINITY;
+                (last, steps) = (f64::INFINITY, Steps::default());
                 if hessian.is_none() {
                     break;
                 }
             }
             None => break,
         }
-        if size < 1e-15 {
+        if size < smallest {
             break;
         }
     }
@@ -155,6 +181,27 @@ pub(super) fn polish(
     let gradient = gradient(&jacobian, &evaluation.residuals, &held, objective.at_fold.len());
     let at_fold = objective.at_fold.clone();
     Ok(Minimum { fitted, evaluation, jacobian, gradient, evaluations, at_fold })
+}
+
+/// The last step and where it began, from which the next one is extrapolated.
+#[derive(Default)]
+struct Steps {
+    last: Option<[DVector<f64>; 2]>,
+}
+
+impl Steps {
+    /// The step of Anderson's acceleration of depth one: where the steps shrink by one factor, along one direction, it leads to
+    /// their limit. `None` before a second step.
+    fn next(&mut self, fitted: &[f64], step: &DVector<f64>, jacobian: &DMatrix<f64>) -> Option<DVector<f64>> {
+        let place = DVector::from_column_slice(fitted);
+        let last = self.last.replace([place.clone(), step.clone()]);
+        let [last_place, last_step] = last?;
+        let (moved, change) = (place - last_place, step - last_step);
+        // Lengths as the curve shows them.
+        let [seen, wanted] = [jacobian * &change, jacobian * step];
+        let share = seen.dot(&wanted) / seen.norm_squared();
+        share.is_finite().then(|| step + (moved - change) * share)
+    }
 }
 
 /// The second derivatives of half the sum of squares, as differences of its exact gradient, in units in which the columns of the

@@ -100,6 +100,16 @@ impl Evaluation {
         self.sheets.len() - 1
     }
 
+    /// Whether a row is compared with the fold at which its arc ends.
+    pub(super) fn is_beyond(&self) -> bool {
+        self.feet.iter().flatten().any(|foot| foot.is_end)
+    }
+
+    /// How many rows are detached.
+    pub(super) fn detached(&self) -> usize {
+        self.labels.iter().filter(|label| **label == 0).count()
+    }
+
     /// The contact of a sheet.
     pub(super) fn contact(&self, observation: Observation, sheet: usize) -> Contact<'_, f64> {
         self.sheets[sheet].contact(&self.tip, observation)

@@ -159,7 +159,7 @@ impl<'o, 'p> Profile<'o, 'p> {
             self.budget = self.budget.saturating_sub(1);
             cost += objective.evaluate(&[], None)?.cost();
         } else {
-            let (others, evaluations) = minimise::descend(&objective, &self.others, 1e-13, 100)?;
+            let (others, evaluations) = minimise::descend(&objective, &self.others, 1e-11, 100)?;
             self.budget = self.budget.saturating_sub(evaluations);
             cost += objective.evaluate(&others, None)?.cost();
             self.others = others;
