@@ -1,6 +1,6 @@
 //! The name of a public type is unique in the workspace: a reader who finds `Row` in a search must not ask which of nine it is.
 //!
-//! Names that modules share on purpose are listed here with the reason, and names that are still to be changed.
+//! Names that modules share on purpose are listed here with the reason.
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
@@ -16,8 +16,6 @@ const COLUMNS: &str = "mdr::columns mirrors the answers of scenes in f64, and Py
 const DOOR: &str =
     "the library restates what its parts compute: inputs with places and exact numbers, outputs with promises";
 const WING: &str = "the two wings and the library answer one question, and never meet";
-/// To be renamed, where the modules are not being moved.
-const LATER: &str = "to be renamed";
 
 /// A name, how many public types have it, and why.
 const SHARED: &[(&str, usize, &str)] = &[
@@ -32,26 +30,17 @@ const SHARED: &[(&str, usize, &str)] = &[
     ("Family", 2, DATA),
     ("Formula", 2, ALGEBRA),
     ("Function", 2, ALGEBRA),
-    ("Ladder", 2, LATER),
     ("LoadingPath", 2, COLUMNS),
     ("Mark", 2, DATA),
-    ("Node", 2, LATER),
-    ("Outcome", 2, LATER),
-    ("Path", 2, LATER),
-    ("Point", 4, LATER),
-    ("Points", 2, LATER),
     ("PowerLaw", 2, DOOR),
     ("Profile", 2, DOOR),
     ("Result", 4, CRATE),
-    ("Row", 2, LATER),
-    ("Rule", 2, LATER),
     ("Scene", 2, DOOR),
     ("State", 2, COLUMNS),
     ("States", 2, COLUMNS),
     ("Status", 2, DATA),
     ("Table", 2, DATA),
-    ("Value", 2, LATER),
-    ("Verdict", 3, LATER),
+    ("Verdict", 2, ALGEBRA),
 ];
 
 /// The public types that a source declares, also inside macros; tests in it are left out.

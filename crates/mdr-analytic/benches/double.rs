@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 
-use mdr_analytic::double::grid::{BatchReport, Materials, Path, Points, States, critical_states_on};
+use mdr_analytic::double::grid::{BatchReport, InstructionSet, Materials, Points, States, critical_states_on};
 use mdr_analytic::{PowerLaw, PowerLawContact, State, double};
 use mdr_core::contact::{Control, Material, Ranged, Status};
 use mdr_core::number::Extended;
@@ -136,7 +136,7 @@ impl Columns {
         }
     }
 
-    fn run(&mut self, path: Path, one_material: bool) -> BatchReport {
+    fn run(&mut self, path: InstructionSet, one_material: bool) -> BatchReport {
         let [n, c, e, w] = &self.inputs;
         let each = Materials::Each { effective_modulus: e, work_of_adhesion: w };
         let (coefficient, material) =
@@ -154,7 +154,8 @@ fn main() {
     assert!(truth.iter().flatten().all(|x| x.is_finite()), "an ordinary point has an ordinary answer");
     let mut batches: Vec<(&[Point], Columns)> =
         points.chunks(BATCH).map(|batch| (batch, Columns::new(batch))).collect();
-    let grids: Vec<(Path, bool)> = Path::available().flat_map(|path| [(path, false), (path, true)]).collect();
+    let grids: Vec<(InstructionSet, bool)> =
+        InstructionSet::available().flat_map(|path| [(path, false), (path, true)]).collect();
     let mut times = vec![Vec::new(); ROUTES.len() + grids.len()];
     let mut parallel = Vec::new();
     for _ in 0..PASSES {

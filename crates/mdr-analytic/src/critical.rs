@@ -1,30 +1,12 @@
 //! Critical states under controlled indentation and controlled force: (1.14), (1.15) corrected, (1.17).
 
-use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Regime, Result, Stability};
+use mdr_core::contact::{Control, Error, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::contact::{PowerLawContact, ln_edge_length};
 use crate::machine::CriticalRatio;
 use crate::range::{ordinary, product, representable};
-
-/// A critical state, with quantities of any type: numbers, certified decimals, logarithms.
-#[derive(Clone, Debug, PartialEq)]
-pub struct State<T> {
-    /// a, in m.
-    pub contact_radius: T,
-    /// d, in m; positive when pressed in.
-    pub indentation: T,
-    /// F, in N; positive when compressive.
-    pub force: T,
-}
-
-impl<R> State<R> {
-    /// The equilibrium at the fold: a double root.
-    pub(crate) fn at_rest(self) -> Equilibrium<R> {
-        let State { contact_radius, indentation, force } = self;
-        Equilibrium { contact_radius, indentation, force, stability: Stability::Neutral }
-    }
-}
+use crate::state::State;
 
 impl<R: Real> PowerLawContact<R> {
     /// The critical state under the given control.

@@ -8,7 +8,7 @@ use mdr_core::contact::{Control, Error, Material, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::contact::PowerLawContact;
-use crate::critical::State;
+use crate::state::State;
 
 /// The energies lost in a loop under controlled indentation, in J; the work of the loop is their sum.
 #[derive(Clone, Debug, PartialEq)]

@@ -79,12 +79,12 @@ mod power_law;
 pub mod profiles;
 mod range;
 mod special;
+mod state;
 pub mod struve;
 mod threshold;
 mod universal;
 
 pub use contact::{PowerLawContact, detachment_elongation};
-pub use critical::State;
 pub use hysteresis::{LoopWork, least_ratio_for_full_pull_off};
 pub use inverse::Equilibria;
 pub use kappa::{Kappa, kappa};
@@ -93,6 +93,7 @@ pub use kappa::{free_cache, kappa_enclosure};
 pub use maugis::{MaugisState, maugis_state, tabor_number};
 pub use power_law::PowerLaw;
 pub use special::flat_punch_pull_off;
+pub use state::State;
 pub use threshold::{ScaleFreeOutcome, lemniscate_constant, threshold};
 pub use universal::{universal_force, universal_indentation};
 

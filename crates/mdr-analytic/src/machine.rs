@@ -26,9 +26,9 @@ use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::contact::{PowerLawContact, ln_edge_length};
-use crate::critical::State;
 use crate::newton::{self, tolerance, undecided};
 use crate::range::{ordinary, representable};
+use crate::state::State;
 
 impl<R: Real> PowerLawContact<R> {
     /// All folds on a machine of stiffness k (N/m), by increasing radius: one, or three for some machines when

@@ -4,10 +4,10 @@ use mdr_core::contact::{Error, Material, Quantity, Result};
 use mdr_core::number::{Real, Special};
 
 use crate::contact::{PowerLawContact, detachment_elongation, ln_edge_length};
-use crate::critical::State;
 use crate::kappa::Kappa;
 use crate::power_law::PowerLaw;
 use crate::range::{product, representable};
+use crate::state::State;
 
 impl<R: Kappa> PowerLaw<R> {
     /// The paraboloid r²/(2R) of Johnson, Kendall and Roberts (1971), R in m: n = 2, κ = 2, g = x²/R.

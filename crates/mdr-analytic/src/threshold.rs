@@ -4,9 +4,9 @@ use mdr_core::contact::{Control, Error, Material, Quantity, Regime, Result};
 use mdr_core::number::Real;
 
 use crate::contact::{PowerLawContact, edge_length, edge_root, ln_edge_length};
-use crate::critical::State;
 use crate::machine::CriticalRatio;
 use crate::range::representable;
+use crate::state::State;
 
 /// The lemniscate constant ϖ = π/agm(1, √2) = 2.62205755…, in the precision of `like`; κ_{1/2} = ϖ/2.
 pub fn lemniscate_constant<R: Real>(like: &R) -> R {

@@ -4,6 +4,8 @@ use std::io::IsTerminal;
 
 use comfy_table::presets::{NOTHING, UTF8_BORDERS_ONLY};
 use comfy_table::{Attribute, Cell, Color, ContentArrangement, Row, Table};
+use mdr::answer::FlatCell;
+use mdr::prelude::Status;
 
 /// How a cell is set off on a terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +15,16 @@ pub(crate) enum CellStyle {
     Faint,
     Good,
     Bad,
+}
+
+/// The style of a cell of an answer.
+pub(crate) fn tone(cell: &FlatCell) -> CellStyle {
+    match cell {
+        FlatCell::Number(_) => CellStyle::Good,
+        FlatCell::Text(_) => CellStyle::Plain,
+        FlatCell::Status(Status::Ok) | FlatCell::Empty => CellStyle::Faint,
+        FlatCell::Magnitude(_) | FlatCell::Status(_) => CellStyle::Bad,
+    }
 }
 
 /// A cell with a tone.

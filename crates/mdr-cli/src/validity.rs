@@ -4,8 +4,7 @@ use mdr::Validity;
 use mdr::answer::{FlatCell, NumberStyle};
 use mdr::prelude::Status;
 
-use crate::solve::render::tone;
-use crate::table::{CellStyle, cell, render, table};
+use crate::table::{CellStyle, cell, render, table, tone};
 
 /// A table of its numbers, and their meaning in a sentence.
 pub(crate) fn text(validity: &Validity, style: &NumberStyle) -> String {

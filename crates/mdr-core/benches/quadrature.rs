@@ -5,7 +5,7 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use mdr_core::calculus::gauss_jacobi::Ladder;
+use mdr_core::calculus::gauss_jacobi::GaussLadder;
 use mdr_core::calculus::quadrature::tanh_sinh_near_ends;
 use mdr_core::calculus::{gauss_jacobi, roundoff_tolerance};
 use mdr_core::number::{Precision, Real};
@@ -23,7 +23,7 @@ fn rest<R: Real>(s: &R) -> R {
 fn compare<R: Real>(criterion: &mut Criterion, digits: u32, one: &R) {
     let (alpha, beta, tolerance) = (one.ratio(-1, 2), one.ratio(-3, 4), roundoff_tolerance(one));
     let rule = gauss_jacobi::rule(nodes(digits), &alpha, &beta).unwrap();
-    let ladder = Ladder::new(&alpha, &beta);
+    let ladder = GaussLadder::new(&alpha, &beta);
 
     let mut group = criterion.benchmark_group("quadrature");
     group.sample_size(10);

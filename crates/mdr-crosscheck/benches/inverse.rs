@@ -10,7 +10,7 @@ use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
 
-use mdr_analytic::double::grid::Path;
+use mdr_analytic::double::grid::InstructionSet;
 use mdr_analytic::double::{self, BranchSlices, Inverse, InverseBatch as Found};
 use mdr_analytic::{PowerLaw, PowerLawContact};
 use mdr_core::contact::{Control, Error, Material, Quantity, Status};
@@ -30,7 +30,7 @@ fn each<'a>(name: &str, count: impl Fn(f64) -> usize + 'a) -> Route<'a> {
 }
 
 /// All depths in one call.
-fn at_once<'a>(inverse: &Inverse, path: Path) -> Route<'a> {
+fn at_once<'a>(inverse: &Inverse, path: InstructionSet) -> Route<'a> {
     let inverse = inverse.clone().with_instructions(path);
     let count = move |depths: &[f64]| {
         let ([mut a0, mut f0, mut a1, mut f1], mut status) = ([[0.0; VALUES]; 4], [Status::Ok; VALUES]);
@@ -47,7 +47,7 @@ fn at_once<'a>(inverse: &Inverse, path: Path) -> Route<'a> {
 }
 
 /// The stable one of both at all depths in one call.
-fn stable_at_once<'a>(inverse: &Inverse, path: Path) -> Route<'a> {
+fn stable_at_once<'a>(inverse: &Inverse, path: InstructionSet) -> Route<'a> {
     let inverse = inverse.clone().with_instructions(path);
     let count = move |depths: &[f64]| {
         let ([mut a, mut force], mut status) = ([[0.0; VALUES]; 2], [Status::Ok; VALUES]);
@@ -69,15 +69,15 @@ fn main() -> Result<(), Error> {
         let contact = PowerLawContact::new(PowerLaw::new(n, c)?, material.clone());
         let branches =
             SearchedBranches::new(Contact::half_space(&Arc::new(contact.profile().clone()), &material, &control))?;
-        let one_by_one = |path: Path| {
+        let one_by_one = |path: InstructionSet| {
             let ready = ready.clone().with_instructions(path);
             each(&format!("Inverse::equilibria, {path}"), move |d| {
                 black_box(ready.equilibria(d)).map_or(0, |found| found.as_slice().len())
             })
         };
-        let mut routes: Vec<Route<'_>> = Path::available().map(one_by_one).collect();
-        routes.extend(Path::available().map(|path| at_once(&ready, path)));
-        routes.extend(Path::available().map(|path| stable_at_once(&ready, path)));
+        let mut routes: Vec<Route<'_>> = InstructionSet::available().map(one_by_one).collect();
+        routes.extend(InstructionSet::available().map(|path| at_once(&ready, path)));
+        routes.extend(InstructionSet::available().map(|path| stable_at_once(&ready, path)));
         routes.extend([
             each("double::equilibria", |d| {
                 black_box(double::equilibria(n, c, &material, &control, d)).map_or(0, |found| found.as_slice().len())

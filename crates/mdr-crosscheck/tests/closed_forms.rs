@@ -7,7 +7,7 @@ use mdr_analytic::{Kappa, PowerLaw, PowerLawContact, flat_punch_pull_off, kappa,
 use mdr_analytic::{universal_force, universal_indentation};
 use mdr_core::contact::{Control, Material, Result};
 use mdr_core::number::{Interval, Real};
-use mdr_crosscheck::derivations::{Point, Points};
+use mdr_crosscheck::derivations::{SamplePoint, SamplePoints};
 use mdr_symbolic::formula::evaluate;
 use mdr_symbolic::{Domain, Formula};
 use rug::Rational;
@@ -22,7 +22,7 @@ struct Tie {
 
 /// A point in an arithmetic.
 struct At<R> {
-    point: Point,
+    point: SamplePoint,
     number: fn(&Rational) -> R,
 }
 
@@ -90,7 +90,7 @@ fn ties() -> Vec<Tie> {
 }
 
 fn enclosure(value: &Rational) -> Interval {
-    Point::interval(value)
+    SamplePoint::interval(value)
 }
 
 /// The relative error of the closed form against the symbolic formula. Rounding the inputs to doubles and every step
@@ -111,7 +111,7 @@ fn closed_forms_are_what_the_derivations_say() {
         let symbolic: Formula = formula.parse().unwrap();
         for domain in domains {
             let mut moderate = 0;
-            for point in Points::new(formula, *domain, &[]).take(24) {
+            for point in SamplePoints::new(formula, *domain, &[]).take(24) {
                 let expected = evaluate(&symbolic, *domain, &point).unwrap();
                 let found = interval(&At { point: point.clone(), number: enclosure }).unwrap();
                 assert!(found.overlaps(&expected), "{formula} for {}: {found} and {expected}", domain.text());
@@ -137,7 +137,7 @@ fn folds_on_a_machine_fulfil_the_symbolic_condition() {
     let residual: Formula = "N*a^(n - 1/2)/sqrt(B) - λ".parse().unwrap();
     let states: [Formula; 2] = ["d_n", "F_n"].map(|text| text.parse().unwrap());
     for domain in BOTH {
-        for point in Points::new("machine", *domain, &[]).take(8) {
+        for point in SamplePoints::new("machine", *domain, &[]).take(8) {
             let at = At { point: point.clone(), number: enclosure };
             let fold = at.contact().critical(&at.machine()).unwrap();
             let there = point.with("a", &fold.contact_radius);
@@ -163,7 +163,9 @@ fn the_series_of_the_derivation_is_the_kappa_of_the_library() {
         let ends_with = |statement: &str| statement.ends_with(&format!("= {stated}"));
         assert!(entry.steps.iter().any(|step| step.statement.is_some_and(ends_with)), "{stated} is not in the entry");
     }
-    for point in Points::new("series", Domain::Positive, &[]).filter(|point| is_moderate(point.exponent())).take(12) {
+    for point in
+        SamplePoints::new("series", Domain::Positive, &[]).filter(|point| is_moderate(point.exponent())).take(12)
+    {
         let one = enclosure(&Rational::from(1));
         let sum = |sign: i64| {
             let (mut sum, mut product) = (one.lit(0), one.clone());
@@ -187,7 +189,7 @@ fn the_series_of_the_derivation_is_the_kappa_of_the_library() {
 #[test]
 fn a_wrong_formula_is_found_out() {
     let wrong: Formula = "(B/N^2)^(1/(1 - 2*n))".parse().unwrap();
-    for point in Points::new("wrong", Domain::Above, &[]).take(12) {
+    for point in SamplePoints::new("wrong", Domain::Above, &[]).take(12) {
         let expected = evaluate(&wrong, Domain::Above, &point).unwrap();
         let at = At { point, number: enclosure };
         assert!(!at.contact().critical(&Control::Indentation).unwrap().contact_radius.overlaps(&expected));

@@ -1,6 +1,6 @@
 //! The derivations hold, and the judge can say no.
 
-use mdr_crosscheck::derivations::{Document, Judgement, MutantVerdict, Mutants, Points, judge, judge_all};
+use mdr_crosscheck::derivations::{Document, Judgement, MutantVerdict, Mutants, SamplePoints, judge, judge_all};
 use mdr_symbolic::derivations::{Claim, Entry, Step};
 use mdr_symbolic::{Domain, Statement};
 
@@ -164,7 +164,7 @@ fn mutants_without_a_value() {
 #[test]
 fn points_reach_small_and_large_exponents() {
     let share = |domain, below: f64| {
-        let points = Points::new("a", domain, &[]).take(1000);
+        let points = SamplePoints::new("a", domain, &[]).take(1000);
         let exponents: Vec<_> = points.map(|point| point.exponent().clone()).collect();
         assert!(exponents.iter().all(|n| domain.contains(n)), "{domain:?}");
         let (lowest, highest) = (exponents.iter().min().unwrap(), exponents.iter().max().unwrap());

@@ -79,11 +79,11 @@ fn the_worst_inputs_are_no_worse_than_they_were() {
 /// Functions of f64 without a ladder.
 const EXEMPT: &[(&str, &str)] = &[
     ("double::fate", "an answer, not a number"),
-    ("double::Path::available", "which instructions the processor has"),
-    ("double::Path::avx2", "which instructions the processor has"),
-    ("double::Path::avx512", "which instructions the processor has"),
-    ("double::Path::baseline", "which instructions the processor has"),
-    ("double::Path::fastest", "which instructions the processor has"),
+    ("double::InstructionSet::available", "which instructions the processor has"),
+    ("double::InstructionSet::avx2", "which instructions the processor has"),
+    ("double::InstructionSet::avx512", "which instructions the processor has"),
+    ("double::InstructionSet::baseline", "which instructions the processor has"),
+    ("double::InstructionSet::fastest", "which instructions the processor has"),
     ("double::critical_states", "the tests of mdr-analytic compare it with 128 bits over its whole domain"),
     ("double::critical_states_on", "as double::critical_states"),
     ("double::equilibria", "a row of the cross-check compares it with the branches of the numerical route"),

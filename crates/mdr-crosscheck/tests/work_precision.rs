@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 
 use mdr_core::number::{Interval, Precision, Real};
 use mdr_crosscheck::Level;
-use mdr_crosscheck::work_precision::{Clock, Comparison, Outcome, Point, TASKS};
+use mdr_crosscheck::work_precision::{Accuracy, Clock, Comparison, Measurement, TASKS};
 use rug::Float;
 use serde::Deserialize;
 
@@ -21,7 +21,7 @@ fn comparison(id: &str) -> &'static Comparison {
     QUICK.iter().find(|comparison| comparison.id == id).unwrap_or_else(|| panic!("no {id}"))
 }
 
-fn points(id: &str, method: &str) -> &'static [Point] {
+fn points(id: &str, method: &str) -> &'static [Measurement] {
     let series = comparison(id).series.iter().find(|series| series.method == method);
     &series.unwrap_or_else(|| panic!("no {method} in {id}")).points
 }
@@ -52,25 +52,25 @@ fn names_are_unique_and_nothing_is_timed() {
 #[test]
 fn outcomes() {
     let truth = Interval::from_int(Precision::new(300), 2).sqrt();
-    let of = |answer: f64| Outcome::of(&Float::with_val(53, answer), &truth);
+    let of = |answer: f64| Accuracy::of(&Float::with_val(53, answer), &truth);
     assert!((of(2f64.sqrt() * (1.0 + 1e-9)).digits().unwrap() - 9.0).abs() < 1e-6);
     assert!((of(2f64.sqrt() * 11.0).digits().unwrap() + 1.0).abs() < 1e-9);
-    assert!(matches!(of(2f64.sqrt()), Outcome::AtLeast(digits) if (digits - 15.95).abs() < 0.01));
-    let wide = Outcome::of(&Float::with_val(200, 2).sqrt(), &truth);
-    assert!(matches!(wide, Outcome::AtLeast(digits) if (digits - 60.2).abs() < 0.1), "{wide:?}");
+    assert!(matches!(of(2f64.sqrt()), Accuracy::AtLeast(digits) if (digits - 15.95).abs() < 0.01));
+    let wide = Accuracy::of(&Float::with_val(200, 2).sqrt(), &truth);
+    assert!(matches!(wide, Accuracy::AtLeast(digits) if (digits - 60.2).abs() < 0.1), "{wide:?}");
     // Off by 10⁻⁵⁰⁰⁰, which no double holds.
     let small = Float::with_val(20_000, Float::i_exp(1, -16610)) + 1u32;
     let one = Interval::from_int(Precision::new(20_000), 1);
-    assert!((Outcome::of(&small, &one).digits().unwrap() - 5000.1).abs() < 0.1);
+    assert!((Accuracy::of(&small, &one).digits().unwrap() - 5000.1).abs() < 0.1);
     // The enclosure has 20 digits, so no answer can have more.
     let coarse = Interval::from_int(Precision::new(66), 2).sqrt();
-    let bound = Outcome::of(&Float::with_val(200, 2).sqrt(), &coarse);
-    assert!(matches!(bound, Outcome::AtLeast(digits) if (19.0..20.0).contains(&digits)), "{bound:?}");
+    let bound = Accuracy::of(&Float::with_val(200, 2).sqrt(), &coarse);
+    assert!(matches!(bound, Accuracy::AtLeast(digits) if (19.0..20.0).contains(&digits)), "{bound:?}");
     for broken in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        assert!(matches!(of(broken), Outcome::Failed { .. }));
+        assert!(matches!(of(broken), Accuracy::Failed { .. }));
     }
-    let unknown = Outcome::of(&Float::with_val(53, 1), &(truth.clone() - &truth));
-    assert!(matches!(unknown, Outcome::Failed { .. }));
+    let unknown = Accuracy::of(&Float::with_val(53, 1), &(truth.clone() - &truth));
+    assert!(matches!(unknown, Accuracy::Failed { .. }));
 }
 
 /// What is shipped is right to the last place at every n; what is typed naively loses digits, or fails.

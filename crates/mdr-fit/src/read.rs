@@ -11,7 +11,7 @@ use super::problem::{DataRow, Problem, WORK};
 use super::text::{self, Record};
 use mdr::files;
 use mdr::reading::Location;
-use mdr::reading::{self, Section, Value};
+use mdr::reading::{self, InputValue, Section};
 use mdr::scene::ExactMedium;
 use mdr::scene::Files;
 use mdr::scene::{MAX_DIGITS, Profile};
@@ -86,7 +86,7 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
     let data = top.section("data")?;
     let observation = data.required("observation")?.choice("observation", &Observation::NAMES)?;
     let pressed = medium.as_ref().map(ExactMedium::read).transpose()?.unwrap_or_default();
-    let (mask, saturation) = (data.optional("rows").filter(Value::is_table), data.optional("saturation"));
+    let (mask, saturation) = (data.optional("rows").filter(InputValue::is_table), data.optional("saturation"));
     let (record, sigma) = rows_of(&data, observation.units_on(&pressed), curve, mask.is_some())?;
     let times = times(&data, &record)?;
     let mut problem = Problem::with(profile, observation, record.rows, data.place())?;
@@ -141,7 +141,7 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
 }
 
 /// The keys of `[data]`, or of `[fit]`, that say which rows count: `legs`, and `rows` where it is a table.
-fn picked(mut problem: Problem, section: &Section<'_>, rows: Option<Value<'_>>) -> Result<Problem> {
+fn picked(mut problem: Problem, section: &Section<'_>, rows: Option<InputValue<'_>>) -> Result<Problem> {
     let units = problem.units().map(data::si_unit);
     if let Some(legs) = section.optional("legs") {
         let one = |leg: Leg| (leg.name(), Some(leg));
@@ -162,7 +162,7 @@ fn picked(mut problem: Problem, section: &Section<'_>, rows: Option<Value<'_>>) 
 }
 
 /// Two numbers.
-fn pair(value: &Value<'_>, unit: SiUnit) -> Result<[f64; 2]> {
+fn pair(value: &InputValue<'_>, unit: SiUnit) -> Result<[f64; 2]> {
     let ends: Vec<f64> = value.list()?.iter().map(|end| number(end, unit)).collect::<Result<_>>()?;
     <[f64; 2]>::try_from(ends).map_err(|ends| value.refuse(format!("expected two numbers, got {}", ends.len())))
 }
@@ -193,7 +193,7 @@ fn rows_of(
     if let Some(value) = data.optional("columns") {
         let names = value.section()?;
         let name = |key| {
-            let name = |value: Value<'_>| match value.whole(1, MOST_COLUMNS) {
+            let name = |value: InputValue<'_>| match value.whole(1, MOST_COLUMNS) {
                 Ok(number) => Ok(number.to_string()),
                 Err(_) => value.text().map(str::to_owned),
             };
@@ -236,7 +236,7 @@ fn rows_of(
         }
         (1, false) => inline(&value, &columns, bases)?,
         _ => {
-            let list = |value: &Value<'_>, axis: usize| -> Result<Vec<f64>> {
+            let list = |value: &InputValue<'_>, axis: usize| -> Result<Vec<f64>> {
                 let list = value.list_of(data::MOST_ROWS, data::FEWER_ROWS)?;
                 list.iter().map(|item| in_si(item, &columns, axis, bases)).collect()
             };
@@ -247,14 +247,14 @@ fn rows_of(
 }
 
 /// Rows `[[x, y], …]`, or with their leg `[x, y, "approach"]`.
-fn inline(value: &Value<'_>, columns: &Columns, bases: [&str; 2]) -> Result<(Vec<DataRow>, Vec<usize>)> {
+fn inline(value: &InputValue<'_>, columns: &Columns, bases: [&str; 2]) -> Result<(Vec<DataRow>, Vec<usize>)> {
     let (mut points, mut legs, mut missing) = (Vec::new(), Vec::new(), Vec::new());
     for row in value.list_of(data::MOST_ROWS, data::FEWER_ROWS)? {
         let items = row.list()?;
         let [x, y, rest @ ..] = items.as_slice() else {
             return Err(row.refuse(format!("a row is [x, y], got {} numbers", items.len())));
         };
-        let is_missing = |value: &Value<'_>| value.text().is_ok_and(data::is_no_number);
+        let is_missing = |value: &InputValue<'_>| value.text().is_ok_and(data::is_no_number);
         if columns.skips_missing && (is_missing(x) || is_missing(y)) {
             missing.push(points.len() + missing.len());
             continue;
@@ -270,7 +270,7 @@ fn inline(value: &Value<'_>, columns: &Columns, bases: [&str; 2]) -> Result<(Vec
 }
 
 /// A number of the data, in SI.
-fn in_si(value: &Value<'_>, columns: &Columns, axis: usize, bases: [&str; 2]) -> Result<f64> {
+fn in_si(value: &InputValue<'_>, columns: &Columns, axis: usize, bases: [&str; 2]) -> Result<f64> {
     let si = || value.row_number(data::si_unit(bases[axis])).map(|literal| literal.nearest_f64());
     match (&columns.units, value.row_number(SiUnit::One)) {
         // A unit of its own counts more than that of the column.
@@ -281,7 +281,7 @@ fn in_si(value: &Value<'_>, columns: &Columns, axis: usize, bases: [&str; 2]) ->
 }
 
 /// `units = ["nm", "nN"]` or `units = { x = "nm", y = "nN" }`.
-fn pair_of_units(value: &Value<'_>) -> Result<[String; 2]> {
+fn pair_of_units(value: &InputValue<'_>) -> Result<[String; 2]> {
     if let Ok(section) = value.section() {
         let pair = [section.required("x")?.text()?.to_owned(), section.required("y")?.text()?.to_owned()];
         section.finish()?;
@@ -347,7 +347,7 @@ fn unknowns(mut problem: Problem, section: &Section<'_>) -> Result<Problem> {
 /// A number for each name of a table; two for `work_of_adhesion` where it is a table itself. The names have this prefix.
 fn each(
     mut problem: Problem,
-    table: Option<Value<'_>>,
+    table: Option<InputValue<'_>>,
     prefix: &str,
     set: fn(Problem, &str, f64) -> Result<Problem>,
 ) -> Result<Problem> {
@@ -364,7 +364,7 @@ fn each(
     Ok(problem)
 }
 
-fn number(value: &Value<'_>, unit: SiUnit) -> Result<f64> {
+fn number(value: &InputValue<'_>, unit: SiUnit) -> Result<f64> {
     Ok(value.number(unit)?.nearest_f64())
 }
 

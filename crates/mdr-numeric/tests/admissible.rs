@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use mdr_core::contact::{Control, Error, Material, Quantity, Result, Transform};
-use mdr_numeric::admissible::{Admissibility, Basis, Verdict};
+use mdr_numeric::admissible::{Admissibility, Basis, GapVerdict};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{Dissipation, EventKind, Path, PathEnergy, Start};
@@ -120,12 +120,12 @@ proptest! {
         let admissibility = Admissibility::new(profile.clone(), [1e-6, 10.0]);
         prop_assert_eq!(admissibility.basis(), Basis::Searched);
         match admissibility.of(a, d) {
-            Verdict::Admissible => prop_assert!(least > -CLEAR, "{}", least),
-            Verdict::Interpenetrating { radius, gap: found } => {
+            GapVerdict::Admissible => prop_assert!(least > -CLEAR, "{}", least),
+            GapVerdict::Interpenetrating { radius, gap: found } => {
                 prop_assert!(least < CLEAR && found < 0.0, "{}", least);
                 prop_assert!((gap(&profile, a, d, radius) - found).abs() < CLEAR, "{}", found);
             }
-            Verdict::Undecided(why) => prop_assert!(least.abs() < CLEAR, "{}: {}", why, least),
+            GapVerdict::Undecided(why) => prop_assert!(least.abs() < CLEAR, "{}: {}", why, least),
         }
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use mdr_core::contact::{Control, CountingTransform, Error, EvaluationCounter, Material, Result, Shape, Transform};
-use mdr_numeric::admissible::{Admissibility, Basis, Verdict};
+use mdr_numeric::admissible::{Admissibility, Basis, GapVerdict};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::folds;
 use mdr_numeric::transform::Quadrature;
@@ -95,11 +95,11 @@ fn a_spent_budget_leaves_no_state_admissible() -> Result<()> {
         Ok((found, spent))
     };
     let (whole, work) = search(None)?;
-    assert_eq!((whole.basis(), whole.of(0.3, 0.01)), (Basis::Searched, Verdict::Admissible));
+    assert_eq!((whole.basis(), whole.of(0.3, 0.01)), (Basis::Searched, GapVerdict::Admissible));
     for part in [0.0, 0.01, 0.3, 0.6, 0.9, 0.95, 0.99] {
         let (ended, _) = search(Some((part * work as f64) as u64))?;
         assert_eq!(ended.basis(), Basis::Doubtful, "{part}");
-        assert_ne!(ended.of(0.3, 0.01), Verdict::Admissible, "{part}");
+        assert_ne!(ended.of(0.3, 0.01), GapVerdict::Admissible, "{part}");
     }
     Ok(())
 }

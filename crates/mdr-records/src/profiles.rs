@@ -7,7 +7,7 @@ use mdr::prelude::{Literal, Want};
 use mdr_analytic::flat_punch_pull_off;
 use mdr_core::contact::{self, Control, Error, Material, Quantity, Shape};
 use mdr_core::number::{Decimal, Dual, Real};
-use mdr_numeric::admissible::{Admissibility, Verdict};
+use mdr_numeric::admissible::{Admissibility, GapVerdict};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::Record;
@@ -100,7 +100,7 @@ fn is_open(contact: &CaseContact, a: &Literal) -> contact::Result<bool> {
     let a = a.nearest_f64();
     let end = contact.range.as_ref().map_or(f64::INFINITY, |[_, end]| end.nearest_f64());
     let admissibility = Admissibility::new(transform.clone(), [1e-6 * a, end.min(2.0 * a)]);
-    Ok(!matches!(admissibility.of(a, curve.indentation(&a)?), Verdict::Interpenetrating { .. }))
+    Ok(!matches!(admissibility.of(a, curve.indentation(&a)?), GapVerdict::Interpenetrating { .. }))
 }
 
 /// The records of d and F.

@@ -195,7 +195,7 @@ pub mod reading {
     pub use crate::scene::parse::json;
     pub use crate::scene::parse::{Source, open, toml};
     pub use crate::scene::place::Location;
-    pub use crate::scene::tree::{Section, Value, unknown_name_of_input};
+    pub use crate::scene::tree::{InputValue, Section, unknown_name_of_input};
 }
 
 /// The items that a program needs: `use mdr::prelude::*`.

@@ -3,7 +3,7 @@
 use mdr_core::contact::{Fold, Regime};
 use mdr_core::number::certify::Decimal;
 
-use crate::critical::State;
+use crate::state::State;
 
 /// Correctly rounded answers to a [`Question`](super::Question).
 #[derive(Clone, Debug, PartialEq)]

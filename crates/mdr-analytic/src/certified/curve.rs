@@ -58,14 +58,14 @@ pub struct Curve {
     pub(super) ln_modulus: Interval,
     /// ln 2E*/k on a machine.
     pub(super) ln_softness: Option<Interval>,
-    folds: Vec<(Point, FoldKind)>,
+    folds: Vec<(CertifiedPoint, FoldKind)>,
     /// The controlled quantity at each fold, if it is known to be rational.
     exact_folds: Vec<Option<Rational>>,
 }
 
 /// An equilibrium.
 #[derive(Clone, Debug)]
-pub struct Point {
+pub struct CertifiedPoint {
     /// ln a.
     ln_radius: Interval,
     /// d.
@@ -76,7 +76,7 @@ pub struct Point {
     pub stability: Stability,
 }
 
-impl Point {
+impl CertifiedPoint {
     /// a, in m.
     pub fn radius(&self) -> Scaled {
         Scaled::exp(self.ln_radius.clone())
@@ -151,7 +151,7 @@ impl Curve {
     }
 
     /// All folds of the controlled quantity, by increasing radius.
-    pub fn folds(&self) -> &[(Point, FoldKind)] {
+    pub fn folds(&self) -> &[(CertifiedPoint, FoldKind)] {
         &self.folds
     }
 
@@ -168,7 +168,7 @@ impl Curve {
     ///
     /// # Errors
     /// [`Error::Undecided`] if the precision does not decide their number or their positions.
-    pub fn equilibria(&self, value: &Rational) -> Result<Vec<Point>> {
+    pub fn equilibria(&self, value: &Rational) -> Result<Vec<CertifiedPoint>> {
         let scaled = Scaled::from(Interval::from_rational(self.precision(), value));
         let at_fold = |fold: Option<usize>| fold.is_some_and(|fold| self.exact_fold(fold) == Some(value));
         let mut found = Vec::new();
@@ -185,13 +185,13 @@ impl Curve {
     ///
     /// # Errors
     /// [`Error::Undecided`] if the precision does not decide whether there is one, or where it is.
-    pub fn on_branch(&self, branch: usize, value: &Scaled) -> Result<Option<Point>> {
+    pub fn on_branch(&self, branch: usize, value: &Scaled) -> Result<Option<CertifiedPoint>> {
         if branch > self.folds.len() {
             return Ok(None);
         }
         let [below, above] = [branch.checked_sub(1), Some(branch)].map(|end| end.and_then(|end| self.folds.get(end)));
         let sign = value.sign().ok_or_else(|| self.undecided("the sign of a value"))?;
-        let at_fold = |(fold, _): &(Point, FoldKind)| Ok(self.compare(value, fold)?.reverse());
+        let at_fold = |(fold, _): &(CertifiedPoint, FoldKind)| Ok(self.compare(value, fold)?.reverse());
         // The controlled quantity at the tip is 0 with a sign, and unbounded at large radii.
         let first =
             below.map_or_else(|| if sign.is_eq() { self.sign_at_tip() } else { Ok(sign.reverse()) }, at_fold)?;
@@ -208,7 +208,7 @@ impl Curve {
     ///
     /// # Errors
     /// [`Error::Undecided`] if it is not certain.
-    pub fn compare(&self, value: &Scaled, fold: &Point) -> Result<Ordering> {
+    pub fn compare(&self, value: &Scaled, fold: &CertifiedPoint) -> Result<Ordering> {
         let order = value.minus(&self.controlled(fold)).sign();
         order.ok_or_else(|| self.undecided("whether a value is below or above that of a fold"))
     }
@@ -221,7 +221,7 @@ impl Curve {
     /// Replaces the values of the folds by those that `round` returns, for an arithmetic that does not distinguish the two.
     #[must_use]
     pub fn with_folds_rounded(mut self, round: impl Fn(&Scaled) -> Option<Rational>) -> Self {
-        let rounded = |(fold, _): &(Point, FoldKind)| round(&self.controlled(fold));
+        let rounded = |(fold, _): &(CertifiedPoint, FoldKind)| round(&self.controlled(fold));
         let folds: Vec<_> = self.folds.iter().map(rounded).collect();
         let known = std::mem::take(&mut self.exact_folds);
         self.exact_folds = known.into_iter().zip(folds).map(|(known, rounded)| rounded.or(known)).collect();
@@ -230,18 +230,18 @@ impl Curve {
 
     /// a, d and F at each fold.
     pub(super) fn states(&self) -> impl Iterator<Item = (FoldKind, [Enclosure; 3])> {
-        let state = |point: &Point| [point.radius(), point.indentation.clone(), self.force(point)];
+        let state = |point: &CertifiedPoint| [point.radius(), point.indentation.clone(), self.force(point)];
         self.folds.iter().map(move |(point, kind)| (*kind, state(point).map(|number| number.enclosure())))
     }
 
     /// F, in N.
-    pub fn force(&self, point: &Point) -> Scaled {
+    pub fn force(&self, point: &CertifiedPoint) -> Scaled {
         let next = self.exponent.lit(1) + &self.exponent;
         self.stiffness_of(point).times(&point.depth).by(&(next.lit(1) / &next))
     }
 
     /// The controlled quantity.
-    pub fn controlled(&self, point: &Point) -> Scaled {
+    pub fn controlled(&self, point: &CertifiedPoint) -> Scaled {
         match &self.control {
             Control::Indentation => point.indentation.clone(),
             Control::Force => self.force(point),
@@ -252,7 +252,7 @@ impl Curve {
     }
 
     /// Π(a, d), in J.
-    pub fn energy(&self, point: &Point) -> Scaled {
+    pub fn energy(&self, point: &CertifiedPoint) -> Scaled {
         let (n, one) = (&self.exponent, self.exponent.lit(1));
         let double = self.excess.clone() + self.excess.lit(2);
         let length = self.elongation(&point.ln_radius);
@@ -262,7 +262,7 @@ impl Curve {
     }
 
     /// The energy stored in the contact and in the spring of a machine, Π + F²/2k, in J.
-    pub fn stored(&self, point: &Point) -> Scaled {
+    pub fn stored(&self, point: &CertifiedPoint) -> Scaled {
         let energy = self.energy(point);
         let Control::Machine { stiffness } = &self.control else { return energy };
         let force = self.force(point);
@@ -271,7 +271,7 @@ impl Curve {
 
     /// dF/dd along the equilibria, 2E*a (2φ/t + 2n−1)/(2φ/t + 2n+1), in N/m. At a fold of the force it is 0, at that of
     /// a machine −k; `None` at a fold of d.
-    pub fn stiffness(&self, point: &Point) -> Option<Scaled> {
+    pub fn stiffness(&self, point: &CertifiedPoint) -> Option<Scaled> {
         match (&self.control, point.stability) {
             (Control::Indentation, Stability::Neutral) => return None,
             (Control::Force, Stability::Neutral) => return Some(self.excess.lit(0).into()),
@@ -285,7 +285,7 @@ impl Curve {
     }
 
     /// 2E*a.
-    fn stiffness_of(&self, point: &Point) -> Scaled {
+    fn stiffness_of(&self, point: &CertifiedPoint) -> Scaled {
         Scaled::exp(self.ln_modulus.clone() + &point.ln_radius)
     }
 
@@ -299,7 +299,7 @@ impl Curve {
     }
 
     /// The fold under fixed grips or a dead load: N a^{n−1/2} = λ√B. `None` at n = 1/2.
-    fn fold(&self) -> Option<(Point, FoldKind)> {
+    fn fold(&self) -> Option<(CertifiedPoint, FoldKind)> {
         let zero = self.excess.lit(0);
         if self.excess == zero {
             return None;
@@ -313,10 +313,10 @@ impl Curve {
     }
 
     /// The state with 2ng = λt: 2nd = (λ − 2n)t.
-    fn tangent(&self, ln_radius: Interval, critical_ratio: &CriticalRatio<Interval>) -> Point {
+    fn tangent(&self, ln_radius: Interval, critical_ratio: &CriticalRatio<Interval>) -> CertifiedPoint {
         let length = self.elongation(&ln_radius);
         let [indentation, depth] = [1, 3].map(|k| critical_ratio.less(k, &self.excess).over(2));
-        Point {
+        CertifiedPoint {
             indentation: length.by(&(indentation / &self.exponent)),
             depth: length.by(&depth),
             ln_radius,
@@ -325,7 +325,7 @@ impl Curve {
     }
 
     /// The state with the given radius and controlled value.
-    fn held_at(&self, value: &Scaled, ln_radius: Interval, stability: Stability) -> Point {
+    fn held_at(&self, value: &Scaled, ln_radius: Interval, stability: Stability) -> CertifiedPoint {
         let (n, length) = (&self.exponent, self.elongation(&ln_radius));
         let next = n.lit(1) + n;
         let (indentation, depth) = match &self.control {
@@ -342,7 +342,7 @@ impl Curve {
                 (indentation.over(&whole), value.by(n).minus(&length).by(&next).over(&whole))
             }
         };
-        Point { ln_radius, indentation, depth, stability }
+        CertifiedPoint { ln_radius, indentation, depth, stability }
     }
 
     /// The sign of the controlled quantity close to the tip.

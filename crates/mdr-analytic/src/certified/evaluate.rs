@@ -9,8 +9,8 @@ use rug::{Integer, Rational};
 
 use super::{Answer, Question, exact};
 use crate::contact::PowerLawContact;
-use crate::critical::State;
 use crate::newton::undecided;
+use crate::state::State;
 use crate::threshold::threshold;
 
 /// Bits beyond those of the digits: for rounding errors, and the small chance that the digits end close to a tie.

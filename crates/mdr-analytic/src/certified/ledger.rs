@@ -8,7 +8,7 @@ use mdr_core::number::Interval;
 use mdr_core::number::certify::Enclosure;
 use rug::Rational;
 
-use super::curve::{Curve, Point};
+use super::curve::{CertifiedPoint, Curve};
 use super::scaled::Scaled;
 
 /// What a state on a path is, whatever encloses it.
@@ -27,12 +27,12 @@ enum Place {
 #[derive(Clone, Debug)]
 pub struct PathPoint {
     place: Place,
-    point: Point,
+    point: CertifiedPoint,
 }
 
 impl PathPoint {
     /// Its numbers.
-    pub fn point(&self) -> &Point {
+    pub fn point(&self) -> &CertifiedPoint {
         &self.point
     }
 }
@@ -63,7 +63,7 @@ impl Curve {
         let mut found = Vec::new();
         for branch in 0..=count {
             let point = self.on_branch(branch, &scaled)?;
-            let same = |point: &Point| point.stability == stability && point.ln_radius().overlaps(ln_radius);
+            let same = |point: &CertifiedPoint| point.stability == stability && point.ln_radius().overlaps(ln_radius);
             let place = || Place::OnBranch { branch, value: value.clone() };
             found.extend(point.filter(same).map(|point| PathPoint { place: place(), point }));
         }

@@ -47,7 +47,7 @@ mod root;
 mod scaled;
 
 pub use answer::Answer;
-pub use curve::{Curve, Point};
+pub use curve::{CertifiedPoint, Curve};
 pub use evaluate::kappa;
 pub use ledger::{EnergySum, PathPoint};
 pub use mdr_core::contact::Elasticity;

@@ -5,7 +5,7 @@ use mdr_core::number::Extended;
 
 use super::ziv::{decide, settle, undecided};
 use super::{contact, lifted, lifted_control, positive, power_law};
-use crate::critical::State;
+use crate::state::State;
 use crate::threshold::ScaleFreeOutcome;
 
 /// Functions whose formula, generic in the arithmetic `W`, is decided by more and more words. The arguments after the

@@ -3,7 +3,7 @@
 use mdr_core::contact::{Error, Fold, Quantity, Ranged, Result};
 use mdr_core::number::Extended;
 
-use crate::critical::State;
+use crate::state::State;
 use crate::threshold::ScaleFreeOutcome;
 
 /// A result in extended precision that can be rounded to `f64` if its error bound is small enough.

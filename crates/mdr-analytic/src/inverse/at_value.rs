@@ -13,10 +13,10 @@ use super::family::{Family, Place};
 use super::start::Seed;
 use super::{Branch, Equilibria, Held};
 use crate::contact::PowerLawContact;
-use crate::critical::State;
 use crate::newton;
 use crate::power_law::PowerLaw;
 use crate::range::representable;
+use crate::state::State;
 
 impl<R: Real> PowerLawContact<R> {
     /// The equilibria at x for n ≠ 1/2.

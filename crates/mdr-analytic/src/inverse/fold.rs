@@ -6,9 +6,9 @@ use mdr_core::number::Real;
 use super::family::{Family, Place};
 use super::{Branch, Count, Equilibria, Held};
 use crate::contact::PowerLawContact;
-use crate::critical::State;
 use crate::newton::undecided;
 use crate::range::{product, representable};
+use crate::state::State;
 
 /// The fold of a contact under one control, prepared for many values.
 #[derive(Clone, Debug)]

@@ -11,11 +11,11 @@ use mdr_core::contact::{Control, Error, Fold, FoldKind, Quantity, Regime, Result
 use mdr_core::number::{Gamma, Real};
 
 use super::graded::{GRADING, GradedContact, GradedHalfSpace, graded_kappa};
-use crate::critical::State;
 use crate::kappa::Kappa;
 use crate::machine::Balance;
 use crate::newton::{self, tolerance, undecided};
 use crate::range::{ordinary, product, representable};
+use crate::state::State;
 
 /// The coefficient C at n = (1−k)/2 that separates contacts that shrink from those that spread over the whole surface, in
 /// m^(1−n): √(2πw/c)/κ(n, k) at fixed grips, (3+k)/(1−k) times that under a dead load. On a machine it is that of fixed grips.

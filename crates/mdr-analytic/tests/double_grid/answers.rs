@@ -1,6 +1,6 @@
 //! The results of the kernel and their errors.
 
-use mdr_analytic::double::grid::{BatchReport, Materials, Path, Points, States, critical_states_on};
+use mdr_analytic::double::grid::{BatchReport, InstructionSet, Materials, Points, States, critical_states_on};
 use mdr_analytic::{Kappa, PowerLaw, PowerLawContact};
 use mdr_core::contact::{Control, Material, Status};
 use mdr_core::number::{Extended, Real};
@@ -17,7 +17,7 @@ pub(crate) struct Answers {
 }
 
 impl Answers {
-    pub(crate) fn of(points: &Points<'_>, path: Path, control: &Control<f64>) -> Self {
+    pub(crate) fn of(points: &Points<'_>, path: InstructionSet, control: &Control<f64>) -> Self {
         let len = points.exponent.len();
         let mut values = [(); 4].map(|()| vec![f64::NAN; len]);
         let mut status = vec![Status::Undecided; len];
@@ -32,7 +32,7 @@ impl Answers {
     }
 }
 
-pub(crate) fn answers(points: &[Point], path: Path, control: &Control<f64>) -> Answers {
+pub(crate) fn answers(points: &[Point], path: InstructionSet, control: &Control<f64>) -> Answers {
     let [n, c, e, w] = columns(points);
     let material = Materials::Each { effective_modulus: &e, work_of_adhesion: &w };
     Answers::of(&Points { exponent: &n, coefficient: &c, material }, path, control)
@@ -62,7 +62,7 @@ pub(crate) fn ulps(value: f64, truth: &Extended<2>) -> f64 {
 }
 
 /// The worst errors of κ, a, d and F over the points whose results are normal; no point may fail.
-pub(crate) fn worst(points: &[Point], path: Path, control: &Control<f64>) -> ([f64; 4], BatchReport) {
+pub(crate) fn worst(points: &[Point], path: InstructionSet, control: &Control<f64>) -> ([f64; 4], BatchReport) {
     let answers = answers(points, path, control);
     let mut worst = [0.0f64; 4];
     for (i, p) in points.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! Errors against the bounds, and in the mean.
 
-use mdr_analytic::double::grid::{BatchReport, Path};
+use mdr_analytic::double::grid::{BatchReport, InstructionSet};
 use mdr_core::contact::Control;
 use mdr_core::number::{Extended, Real};
 
@@ -15,7 +15,7 @@ fn measure(count: usize) {
     let laboratory: Vec<Point> = (0..count).map(|_| draw.laboratory()).collect();
     let domain: Vec<Point> = (0..count).map(|_| draw.domain()).filter(in_range).collect();
     assert!(domain.len() > count / 2);
-    for path in Path::available() {
+    for path in InstructionSet::available() {
         let mut all = [0.0f64; 4];
         for control in &CONTROLS {
             let (errors, tally) = worst(&loaded(&laboratory, control), path, control);
@@ -63,12 +63,12 @@ fn moments(points: &[Point]) -> Vec<[[f64; 2]; 4]> {
             [sum, squares].map(|sum| sum / points.len() as f64)
         })
     };
-    Path::available().map(of_path).collect()
+    InstructionSet::available().map(of_path).collect()
 }
 
 /// Errors of one row: their means within `preference` ulp, and the mean squares of those of a, d and F below `square`.
 fn check_moments(points: &[Point], preference: f64, square: f64) {
-    for (path, moments) in Path::available().zip(moments(points)) {
+    for (path, moments) in InstructionSet::available().zip(moments(points)) {
         for (q, name) in ["κ", "a", "d", "F"].into_iter().enumerate() {
             let [mean, mean_square] = moments[q];
             println!("{name} at {:?} and so on, {path}: {mean:.4}, {mean_square:.4}", points[0]);

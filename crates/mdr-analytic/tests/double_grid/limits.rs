@@ -1,6 +1,6 @@
 //! Near n = 1/2, and at the limits of the kernel.
 
-use mdr_analytic::double::grid::Path;
+use mdr_analytic::double::grid::InstructionSet;
 
 use super::answers::{answers, worst};
 use super::points::{CONTROLS, Point, loaded, representable};
@@ -15,7 +15,7 @@ fn ladder_towards_one_half() {
             }
         }
     }
-    for path in Path::available() {
+    for path in InstructionSet::available() {
         for control in &CONTROLS {
             // The rounding of C changes a, for the largest k out of range.
             let points = representable(loaded(&points, control), control);
@@ -65,7 +65,7 @@ fn ordinary(p: &Point, radius: f64) -> bool {
 
 #[test]
 fn the_limits_of_the_kernel() {
-    for path in Path::available() {
+    for path in InstructionSet::available() {
         for control in &CONTROLS {
             let points = representable(edges(), control);
             worst(&points, path, control);

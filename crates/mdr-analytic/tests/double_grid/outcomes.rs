@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use mdr_analytic::double::grid::{BatchReport, Materials, Path, Points, States, critical_states};
+use mdr_analytic::double::grid::{BatchReport, InstructionSet, Materials, Points, States, critical_states};
 use mdr_analytic::{State, double};
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Status};
 
@@ -24,7 +24,7 @@ fn every_other_point_is_the_scalar_answer() {
         }
     }
     let mut seen = Vec::new();
-    for path in Path::available() {
+    for path in InstructionSet::available() {
         for control in CONTROLS.into_iter().chain([Control::Machine { stiffness: 30.0 }]) {
             let answers = answers(&points, path, &control);
             let mut without_value = 0;
@@ -73,7 +73,7 @@ fn check(values: &[f64], status: Status, scalar: &mdr_core::contact::Result<Stat
 #[test]
 fn exact_results_are_exact() {
     let points = [1.5, 2.0, 6.0].map(|n| Point { n, c: 0.5, e: 1.0, w: 1.0 });
-    for path in Path::available() {
+    for path in InstructionSet::available() {
         let answers = answers(&points, path, &Control::Force);
         assert_eq!(answers.tally, BatchReport::default());
         assert_eq!(answers.at(0)[2], 0.0, "d of n = 3/2 under a dead load");
@@ -98,7 +98,7 @@ fn place_material_and_width_do_not_matter() {
         coefficient: &c[range],
         material: Materials::One(&gel),
     };
-    for path in Path::available() {
+    for path in InstructionSet::available() {
         let whole = answers(&points, path, &Control::Indentation);
         for start in [0, 1, 37] {
             for end in start..points.len() {
@@ -110,7 +110,7 @@ fn place_material_and_width_do_not_matter() {
             }
         }
     }
-    if let (Some(four), Some(eight)) = (Path::avx2(), Path::avx512()) {
+    if let (Some(four), Some(eight)) = (InstructionSet::avx2(), InstructionSet::avx512()) {
         let (four, eight) = (answers(&points, four, &Control::Force), answers(&points, eight, &Control::Force));
         assert!((0..points.len()).all(|i| bits(&four, i) == bits(&eight, i)));
     }

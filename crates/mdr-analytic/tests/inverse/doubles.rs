@@ -1,7 +1,7 @@
 //! One value in `f64`: every quantity within an ulp.
 
 use mdr_analytic::double;
-use mdr_analytic::double::grid::Path;
+use mdr_analytic::double::grid::InstructionSet;
 use mdr_core::contact::{Ranged, Stability};
 use proptest::prelude::*;
 
@@ -17,7 +17,7 @@ fn check_double(scene: Scene, value: f64) {
     let radii = truth.equilibria(value);
     assert_eq!(found.as_slice().len(), radii.len(), "{scene:?} at {value:e}");
     let ready = scene.inverse();
-    for path in Path::available() {
+    for path in InstructionSet::available() {
         check_many(&Many::of(&ready.clone().with_instructions(path), &[value]), 0, &truth, value, &radii);
     }
     for (state, ln_a) in found.as_slice().iter().zip(&radii) {

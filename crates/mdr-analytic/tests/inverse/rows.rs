@@ -1,7 +1,7 @@
 //! Rows of values.
 
 use mdr_analytic::double;
-use mdr_analytic::double::grid::{BatchReport, Path};
+use mdr_analytic::double::grid::{BatchReport, InstructionSet};
 use mdr_analytic::double::{BranchSlices, InverseBatch};
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Stability, Status};
 use rug::Float;
@@ -123,7 +123,7 @@ fn many_values_of_one_contact() {
             let truth = scene.truth();
             let values = values(truth.at_fold(), 12);
             let radii: Vec<_> = values.iter().map(|&value| truth.equilibria(value)).collect();
-            for path in Path::available() {
+            for path in InstructionSet::available() {
                 let many = Many::of(&scene.inverse().with_instructions(path), &values);
                 for (i, radii) in radii.iter().enumerate() {
                     check_many(&many, i, &truth, values[i], radii);
@@ -142,7 +142,7 @@ fn place_and_width_do_not_matter() {
         let scene = Scene::with_fold(n, 1e-6, 1e6, 0.05, by_force);
         let values = values(scene.truth().at_fold(), 60);
         let bits = |many: &Many, i: usize| many.at(i).map(f64::to_bits);
-        for path in Path::available() {
+        for path in InstructionSet::available() {
             let inverse = scene.inverse().with_instructions(path);
             let whole = Many::of(&inverse, &values);
             for start in [1, 37, 64] {
@@ -158,7 +158,7 @@ fn place_and_width_do_not_matter() {
                 }
             }
         }
-        if let (Some(four), Some(eight)) = (Path::avx2(), Path::avx512()) {
+        if let (Some(four), Some(eight)) = (InstructionSet::avx2(), InstructionSet::avx512()) {
             let [four, eight] = [four, eight].map(|path| Many::of(&scene.inverse().with_instructions(path), &values));
             assert!((0..values.len()).all(|i| bits(&four, i) == bits(&eight, i)));
         }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use mdr_crosscheck::ladders::Ladder;
-use mdr_crosscheck::work_precision::{Clock, Comparison, Point, Series};
+use mdr_crosscheck::work_precision::{Clock, Comparison, Measurement, Series};
 use mdr_crosscheck::{Findings, Level};
 use mdr_plot::{ComparedMethod, ComparedQuestion};
 
@@ -104,7 +104,7 @@ fn find(level: Level, runs: usize) -> Result<Findings> {
 
 /// The part of a question that is drawn: the answers with a time.
 fn question(comparison: &Comparison) -> ComparedQuestion<'_> {
-    let answer = |point: &Point| Some((point.seconds?, point.outcome.digits()));
+    let answer = |point: &Measurement| Some((point.seconds?, point.outcome.digits()));
     let method = |series: &Series| ComparedMethod {
         name: series.method,
         textbook: !series.ours,

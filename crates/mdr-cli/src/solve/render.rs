@@ -7,7 +7,7 @@ use mdr::prelude::*;
 
 use crate::error::Result;
 use crate::output::{Format, Output as Out};
-use crate::table::{CellStyle, cell, render_whole, table};
+use crate::table::{CellStyle, cell, render_whole, table, tone};
 use crate::{files, validity};
 
 /// Writes `answer` in the `format` asked for.
@@ -64,15 +64,6 @@ fn table_of(answer: &Answer, output: &Output, rows: &[FlatRow], style: &NumberSt
         }));
     }
     render_whole(&table)
-}
-
-pub(crate) fn tone(cell: &FlatCell) -> CellStyle {
-    match cell {
-        FlatCell::Number(_) => CellStyle::Good,
-        FlatCell::Text(_) => CellStyle::Plain,
-        FlatCell::Status(Status::Ok) | FlatCell::Empty => CellStyle::Faint,
-        FlatCell::Magnitude(_) | FlatCell::Status(_) => CellStyle::Bad,
-    }
 }
 
 /// One file an output in `folder`: the inputs of the scene, a column each, then its columns with their units. The files are

@@ -10,7 +10,7 @@ use crate::number::Real;
 
 /// One node t of a Gauss rule.
 #[derive(Clone, Debug)]
-pub struct Node<R> {
+pub struct GaussNode<R> {
     /// t in (0, 1).
     pub t: R,
     /// 1 − t, accurate also where t rounds to 1.
@@ -21,10 +21,10 @@ pub struct Node<R> {
 
 /// A Gauss rule: Σ wᵢ f(tᵢ) = ∫₀¹ tᵝ(1−t)ᵅ f(t) dt up to rounding for polynomials f of degree 2N−1.
 #[derive(Clone, Debug)]
-pub struct Rule<R> {
+pub struct GaussRule<R> {
     alpha: R,
     beta: R,
-    nodes: Vec<Node<R>>,
+    nodes: Vec<GaussNode<R>>,
 }
 
 /// The relative error of a sum over a rule, in unit roundoffs. From 53 to 900 bits at most 9 was measured, typically 2.
@@ -47,12 +47,12 @@ const ROUNDINGS: i64 = 12;
 /// # Errors
 /// [`Domain`](Error::Domain) unless n ≥ 1, α > −1 and β > −1 with finite, normal α+1 and β+1;
 /// [`NoConvergence`](Error::NoConvergence) when the zeros cannot be separated.
-pub fn rule<R: Real>(n: usize, alpha: &R, beta: &R) -> Result<Arc<Rule<R>>> {
+pub fn rule<R: Real>(n: usize, alpha: &R, beta: &R) -> Result<Arc<GaussRule<R>>> {
     let key = Key::GaussJacobi { n, alpha: format!("{alpha:?}"), beta: format!("{beta:?}") };
-    let kept = RULES.rule(alpha.precision(), key, || Rule::new(n, alpha, beta))?;
+    let kept = RULES.rule(alpha.precision(), key, || GaussRule::new(n, alpha, beta))?;
     // The text of an exponent may be shorter than its precision, so neighbouring exponents can share a key.
     let same = kept.alpha == *alpha && kept.beta == *beta;
-    if same { Ok(kept) } else { Rule::new(n, alpha, beta).map(Arc::new) }
+    if same { Ok(kept) } else { GaussRule::new(n, alpha, beta).map(Arc::new) }
 }
 
 /// ∫₀¹ tᵝ(1−t)ᵅ f(t) dt to a `tolerance` relative to ∫ tᵝ(1−t)ᵅ|f|, by doubling the number of nodes.
@@ -77,28 +77,28 @@ pub fn integrate<R: Real>(
     tolerance: impl Into<Tolerance<R>>,
     f: impl FnMut(&R) -> Result<R>,
 ) -> Result<Estimate<R>> {
-    Ladder::new(alpha, beta).integrate(tolerance, f)
+    GaussLadder::new(alpha, beta).integrate(tolerance, f)
 }
 
 /// The rules for one weight that [`integrate`] uses in turn. Keep one to integrate many functions with the same weight:
 /// in `f64` looking up the rules costs more than the integral.
 #[derive(Clone, Debug)]
-pub struct Ladder<R> {
+pub struct GaussLadder<R> {
     alpha: R,
     beta: R,
-    rules: [OnceLock<Arc<Rule<R>>>; RUNGS],
+    rules: [OnceLock<Arc<GaussRule<R>>>; RUNGS],
 }
 
 /// From about bits/25 nodes to 128 times as many.
 const RUNGS: usize = 8;
 
-impl<R: Real> Ladder<R> {
+impl<R: Real> GaussLadder<R> {
     /// An empty ladder; unsuitable exponents are rejected at the first integral.
     pub fn new(alpha: &R, beta: &R) -> Self {
-        Ladder { alpha: alpha.clone(), beta: beta.clone(), rules: Default::default() }
+        GaussLadder { alpha: alpha.clone(), beta: beta.clone(), rules: Default::default() }
     }
 
-    fn rule(&self, rung: usize) -> Result<&Rule<R>> {
+    fn rule(&self, rung: usize) -> Result<&GaussRule<R>> {
         if let Some(rule) = self.rules[rung].get() {
             return Ok(rule);
         }
@@ -137,7 +137,7 @@ impl<R: Real> Ladder<R> {
     }
 }
 
-impl<R: Real> Rule<R> {
+impl<R: Real> GaussRule<R> {
     fn new(n: usize, alpha: &R, beta: &R) -> Result<Self> {
         let degree = i64::try_from(n).unwrap_or(i64::MAX);
         if n == 0 {
@@ -155,7 +155,7 @@ impl<R: Real> Rule<R> {
         let below = low.zeros_below(0.5);
         let mut nodes = half(degree, &a, &b, &low.smallest_zeros(below));
         let above = half(degree, &b, &a, &high.smallest_zeros(n - below));
-        nodes.extend(above.into_iter().rev().map(|node| Node { t: node.complement, complement: node.t, ..node }));
+        nodes.extend(above.into_iter().rev().map(|node| GaussNode { t: node.complement, complement: node.t, ..node }));
 
         let total = beta_function(&a, &b);
         let weights: Vec<R> = nodes.iter().map(|node| node.weight.clone()).collect();
@@ -165,7 +165,7 @@ impl<R: Real> Rule<R> {
         let ascending = nodes.windows(2).all(|pair| pair[0].t < pair[1].t);
         let weighted = nodes.iter().all(|node| node.weight >= total.lit(0) && node.weight.is_finite());
         if ascending && weighted {
-            Ok(Rule { alpha: alpha.clone(), beta: beta.clone(), nodes })
+            Ok(GaussRule { alpha: alpha.clone(), beta: beta.clone(), nodes })
         } else {
             Err(Error::NoConvergence { quantity: Quantity::Integral, evaluations: 0, error: f64::NAN })
         }
@@ -182,7 +182,7 @@ impl<R: Real> Rule<R> {
     }
 
     /// The nodes, ascending.
-    pub fn nodes(&self) -> &[Node<R>] {
+    pub fn nodes(&self) -> &[GaussNode<R>] {
         &self.nodes
     }
 
@@ -225,7 +225,7 @@ impl<R: Real> Rule<R> {
     }
 }
 
-impl<R: Real> Stored for Rule<R> {
+impl<R: Real> Stored for GaussRule<R> {
     fn bits(&self) -> usize {
         self.nodes.len() * 3 * self.alpha.precision() as usize
     }
@@ -234,7 +234,7 @@ impl<R: Real> Stored for Rule<R> {
 /// The nodes near `guesses`, with weights up to a factor common to all nodes of the rule.
 ///
 /// wᵢ = m/(t(1−t)q_n'²), m = B(a,b)·(a/b)·Π_{k=2}^n k(k+a−1)/((k+a+b−2)(k+b−1)) for q_n(0) = 1.
-fn half<R: Real>(n: i64, a: &R, b: &R, guesses: &[f64]) -> Vec<Node<R>> {
+fn half<R: Real>(n: i64, a: &R, b: &R, guesses: &[f64]) -> Vec<GaussNode<R>> {
     let polynomial = Jacobi::new(n, a, b);
     let plus = |x: &R, k: i64| x.lit(k) + x;
     let factor =
@@ -242,7 +242,7 @@ fn half<R: Real>(n: i64, a: &R, b: &R, guesses: &[f64]) -> Vec<Node<R>> {
     let node = |&guess: &f64| {
         let (t, slope) = polynomial.zero_near(&R::from_f64(a.ctx(), guess));
         let weight = factor.clone() / (polynomial.span(&t) * slope.square());
-        Node { complement: t.lit(1) - &t, weight, t }
+        GaussNode { complement: t.lit(1) - &t, weight, t }
     };
     guesses.iter().map(node).collect()
 }

@@ -2,12 +2,13 @@
 
 use mdr_analytic::PowerLawContact;
 use mdr_analytic::certified::{Elasticity, Question};
-use mdr_core::contact::{Error, Quantity, Regime, Result};
+use mdr_core::contact::{Regime, Result};
 use mdr_core::number::certify::Decimal;
 use mdr_core::number::{Literal, Precision, Real};
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
 
+use super::common::{literal, rational};
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::subject::closed::numbers;
 use crate::trial::Trial;
@@ -40,23 +41,12 @@ impl Exact {
     }
 }
 
-/// A double as a fraction.
-pub(super) fn rational(x: f64) -> Rational {
-    Rational::from_f64(x).unwrap_or_default()
-}
-
 /// The exponent as a fraction: p/q itself, where it is one, and not the double nearest to it.
 fn fraction(exponent: Exponent) -> Rational {
     match exponent {
         Exponent::Fraction(p, q) => Rational::from((p, q)),
         _ => rational(exponent.value::<f64>(())),
     }
-}
-
-/// The number that is written.
-pub(crate) fn literal(text: &str) -> Result<Literal> {
-    let quantity = Quantity::Parameter("an input of the grid");
-    text.parse().map_err(|_| Error::Domain { quantity, value: text.to_owned(), requirement: "a number" })
 }
 
 /// From one digit to two hundred.

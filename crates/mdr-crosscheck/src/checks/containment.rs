@@ -10,7 +10,7 @@ use mdr_analytic::{PowerLaw, PowerLawContact};
 use mdr_core::contact::{Control, Material, Result, Transform};
 use mdr_core::number::{Interval, Precision, Real};
 
-use super::profiles::Drawn;
+use super::common::Drawn;
 use crate::trial::Trial;
 
 /// Bits of the truth.

@@ -1,6 +1,6 @@
 //! The f64 functions, which promise an ulp, or two for many points at once, against the same closed forms at 400 bits.
 
-use mdr_analytic::double::grid::{Materials, Path, Points, States, critical_states_on};
+use mdr_analytic::double::grid::{InstructionSet, Materials, Points, States, critical_states_on};
 use mdr_analytic::double::{BranchSlices, InverseBatch};
 use mdr_analytic::{Equilibria, PowerLawContact, double};
 use mdr_core::contact::{Error, Ranged, Result, Status};
@@ -91,7 +91,7 @@ fn batch(trial: &mut Trial<'_>, scene: &Scene<f64>, held: Held, exact: &PowerLaw
     let material = scene.material()?;
     let points = Points { exponent: &[scene.n], coefficient: &[scene.c], material: Materials::One(&material) };
     let expected = exact.critical(&held.control())?;
-    for path in Path::available() {
+    for path in InstructionSet::available() {
         let [mut kappa, mut contact_radius, mut indentation, mut force] = [[0.0]; 4];
         let mut status = [Status::Ok];
         let mut states = States {
@@ -159,7 +159,7 @@ fn branches(
     held: Held,
     expected: &Equilibria<Float>,
 ) -> Result<()> {
-    for path in Path::available() {
+    for path in InstructionSet::available() {
         let ([mut a0, mut x0, mut a1, mut x1], mut status) = ([[0.0]; 4], [Status::Ok]);
         let mut found = InverseBatch {
             smaller: BranchSlices { contact_radius: &mut a0, uncontrolled: &mut x0 },

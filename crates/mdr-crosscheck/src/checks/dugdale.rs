@@ -15,7 +15,7 @@ use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use rug::Float;
 
-use super::profiles::Drawn;
+use super::common::Drawn;
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Held};
 use crate::trial::Trial;

@@ -8,7 +8,7 @@ use mdr_numeric::contact::Contact;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::equilibrium::SearchedBranches;
 
-use super::folds::transform;
+use super::common::transform;
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Scene};
 use crate::tolerance::{ELONGATION, TRANSFORM};

@@ -6,7 +6,7 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 
-use super::folds::{ClosedFold, Quadratures, transform};
+use super::common::{ClosedFold, Quadratures, transform};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::tolerance::{ELONGATION, TRANSFORM};

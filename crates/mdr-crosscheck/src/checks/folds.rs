@@ -4,76 +4,17 @@
 use std::sync::Arc;
 
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, Error, Fold, FoldKind, Material, Outcome, Result, Shape};
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Outcome, Result};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::folds;
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::springs::Foundation;
 use mdr_numeric::transform::Quadrature;
 
-use super::machine::{Machine, part};
+use super::common::{Machine, Quadratures, compare, part, transform};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Held, Scene};
-use crate::tolerance::{Tangent, quadrature};
 use crate::trial::Trial;
-
-/// A power law for the numerical route, which uses nothing but its heights.
-pub(super) fn transform<R: Arithmetic>(scene: &Scene<R>) -> Result<Arc<Quadrature<R, Heights<R>>>> {
-    Quadrature::of([Shape::Power { n: scene.n.clone(), c: scene.c.clone() }]).map(Arc::new)
-}
-
-/// Errors of the quadratures at a radius.
-#[derive(Clone, Copy)]
-pub(super) struct Quadratures {
-    pub(super) g: f64,
-    pub(super) slope: f64,
-    pub(super) mean: f64,
-}
-
-impl Quadratures {
-    pub(super) fn at<R: Arithmetic>(transform: &Quadrature<R, Heights<R>>, n: f64, a: &R) -> Result<Self> {
-        Ok(Quadratures {
-            g: quadrature(&transform.g_estimate(a)?, n),
-            slope: quadrature(&transform.slope_estimate(a)?, n),
-            mean: quadrature(&transform.mean_estimate(a)?, n),
-        })
-    }
-}
-
-/// The fold of a power law by its closed form, for checks beside it.
-pub(super) struct ClosedFold<R> {
-    /// The law for the numerical route.
-    pub(super) transform: Arc<Quadrature<R, Heights<R>>>,
-    pub(super) tangent: Tangent,
-    /// The controlled quantity at the fold.
-    pub(super) value: R,
-    /// The allowed error of the closed form in ln a_λ, in roundoffs.
-    pub(super) radius_error: f64,
-    /// The allowed relative error of both routes in the value, in roundoffs.
-    pub(super) value_error: f64,
-}
-
-impl<R: Arithmetic> ClosedFold<R> {
-    pub(super) fn of(trial: &mut Trial<'_>, scene: &Scene<R>, held: Held) -> Result<Self> {
-        let state = trial.closed.critical(&scene.contact()?, &held.control())?;
-        let tangent = scene.tangent(held.lambda(), &state.contact_radius);
-        let transform = transform(scene)?;
-        let errors = Quadratures::at(&transform, tangent.n, &state.contact_radius)?;
-        let (closed, found) = (tangent.radius(), tangent.found_radius(errors.slope));
-        // The value is a difference: its error is on the scale of one of the terms.
-        let (value, error, difference) = held.of([
-            (state.indentation, tangent.fold_indentation(closed, found, errors.g), tangent.transform() - 1.0),
-            (state.force, tangent.fold_force(closed, found, errors.g, errors.mean), tangent.pressed() - 1.0),
-        ]);
-        let value_error = (error + 32.0) / difference.abs();
-        Ok(ClosedFold { transform, tangent, value, radius_error: closed, value_error })
-    }
-
-    /// −log₂ of the least distance from the fold, relative to its value, that is `spare` bits above that error.
-    pub(super) fn bits(&self, spare: f64) -> f64 {
-        f64::from(self.value.precision()) - spare - self.value_error.log2()
-    }
-}
 
 /// The folds. In f64, and in every eighth case of arbitrary precision, by the search over all radii; in the others by
 /// refinement of the tangency around the planted radius, which costs a hundredth.
@@ -137,28 +78,6 @@ pub(super) fn critical<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: 
     let radii = (tangent.radius(), tangent.found_radius(errors.slope));
     compare(trial, &closed, fold, &material, tangent, radii, errors);
     Ok(())
-}
-
-/// Enters the three quantities and the kind of a fold.
-pub(super) fn compare<R: Arithmetic>(
-    trial: &mut Trial<'_>,
-    closed: &Fold<R>,
-    found: &Fold<R>,
-    material: &Material<R>,
-    tangent: Tangent,
-    (closed_radius, found_radius): (f64, f64),
-    errors: Quadratures,
-) {
-    let a = &found.contact_radius;
-    let elongation = (a.pi() * a * material.work_of_adhesion() / material.effective_modulus()).times(2).sqrt();
-    let force_scale = elongation.clone() * a * material.effective_modulus().clone().times(2);
-    let radius_error = (closed.contact_radius.clone() / a).ln() / a.unit_roundoff();
-    trial.enter("ln a", radius_error.abs().approx(), closed_radius + found_radius);
-    let allowed = tangent.fold_indentation(closed_radius, found_radius, errors.g);
-    trial.compare_on("d/Δl", &closed.indentation, &found.indentation, &elongation, allowed);
-    let allowed = tangent.fold_force(closed_radius, found_radius, errors.g, errors.mean);
-    trial.compare_on("F/2E*aΔl", &closed.force, &found.force, &force_scale, allowed);
-    trial.demand("the kind of fold", closed.kind == found.kind);
 }
 
 /// All folds of a machine, up to three.

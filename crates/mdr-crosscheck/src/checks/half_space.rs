@@ -20,7 +20,7 @@ use mdr_numeric::contact::Contact;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::profiles::Heights;
 
-use super::profiles::Drawn;
+use super::common::Drawn;
 use crate::trial::Trial;
 
 /// What the pressures, and integrals of them, err by relative to their terms: the quadratures ask for a tenth of it.

@@ -8,7 +8,7 @@ use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::medium::{Adhesion, Medium};
 use mdr_numeric::path::{Dissipation, EdgeEnergies, Edges, Event, EventKind, Path, Start};
 
-use super::folds::{Quadratures, compare, transform};
+use super::common::{Quadratures, compare, transform};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Held, Scene};
 use crate::tolerance::{ELONGATION, TRANSFORM};

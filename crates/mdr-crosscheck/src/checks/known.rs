@@ -5,7 +5,7 @@ use mdr_core::contact::{Body, Control, Material, Result};
 use mdr_core::number::Real;
 use rug::{Float, Rational};
 
-use super::certified::rational;
+use super::common::rational;
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Held, Scene};
 use crate::trial::Trial;

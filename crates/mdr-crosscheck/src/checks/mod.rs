@@ -2,6 +2,7 @@
 //! runs one of its cases, with its name in [`RUNS`].
 
 mod certified;
+mod common;
 mod containment;
 mod double;
 mod dugdale;
@@ -28,7 +29,7 @@ use std::sync::LazyLock;
 
 use rug::Float;
 
-pub(crate) use self::certified::literal;
+pub(crate) use self::common::literal;
 pub(crate) use self::kappa::{by_series, ln_kappa};
 
 use crate::grid::Held;

@@ -13,7 +13,7 @@ use mdr_numeric::path::{Dissipation, EventKind, Path, PathEnergy, Start};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
-use super::folds::{Quadratures, transform};
+use super::common::{Quadratures, transform};
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Family, Held, Scene};
 use crate::tolerance::{ELONGATION, TRANSFORM};

@@ -1,16 +1,13 @@
 //! The library of transformed profiles against quadrature of the profiles.
 
-use mdr_analytic::Kappa;
-use mdr_analytic::struve::Struve;
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Flank, Profile, Result, Shape, Transform};
-use mdr_core::number::{Dual, Lift, Real, Special};
-use mdr_numeric::profiles::Heights;
+use mdr_core::contact::{Flank, Result, Shape, Transform};
+use mdr_core::number::Dual;
 use mdr_numeric::transform::Quadrature;
 
+use super::common::{Drawn, ROUNDINGS};
 use crate::arithmetic::Arithmetic;
 use crate::subject::Part;
-use crate::subject::profiles::{NAMES, closed_form, terms};
 use crate::tolerance::{TRANSFORM, quadrature};
 use crate::trial::Trial;
 
@@ -34,92 +31,6 @@ pub(super) fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R:
     let by_angle = trial.closed.cone_with_half_angle(&angle, &x)?;
     trial.compare("cone of half angle", &by_angle, &cone.value, allowed + 4.0);
     Ok(())
-}
-
-/// Roundings of a closed form of the library.
-pub(super) const ROUNDINGS: f64 = 40.0;
-
-/// A profile: its name, a length L, a second length b = ratio·L where there is one, and a slope or height over L.
-#[derive(Clone)]
-pub(super) struct Drawn<R> {
-    name: &'static str,
-    length: R,
-    second: R,
-    slope: R,
-}
-
-impl<R: Arithmetic> Drawn<R> {
-    /// The profile of this case, at any scale.
-    pub(super) fn draw(trial: &mut Trial<'_>, ctx: R::Ctx) -> Self {
-        let name = NAMES[trial.index % NAMES.len()];
-        let length = R::from_f64(ctx, 10_f64.powf(trial.uniform(-15.0, 15.0)));
-        let ratio = R::from_f64(ctx, 2_f64.powf(trial.uniform(-2.0, 1.0)));
-        let slope = R::from_f64(ctx, 2_f64.powf(trial.uniform(-4.0, 1.0)));
-        let second = ratio * &length;
-        Drawn { name, length, second, slope }
-    }
-
-    /// A radius within the profile, off its edge by a fifth or more on the given side.
-    ///
-    /// # Errors
-    /// Parameters out of their domain.
-    pub(super) fn radius(&self, trial: &mut Trial<'_>, beyond: bool, ctx: R::Ctx) -> Result<R> {
-        let heights = self.heights()?;
-        if let Some(end) = heights.outer_radius() {
-            return Ok(end * R::from_f64(ctx, trial.uniform(0.05, 0.8)));
-        }
-        let edge = heights.kinks().into_iter().next().unwrap_or_else(|| self.second.clone());
-        let octaves = trial.uniform(0.3, 2.0);
-        let octaves = if beyond { octaves } else { -octaves };
-        Ok(edge * R::from_f64(ctx, 2_f64.powf(octaves)))
-    }
-
-    /// The slope or height over L.
-    pub(super) fn steepness(&self) -> R {
-        self.slope.clone()
-    }
-}
-
-impl<R: Real> std::fmt::Display for Drawn<R> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let [length, second, slope] = [&self.length, &self.second, &self.slope].map(R::approx);
-        write!(f, "{}, L = {length:e}, b = {second:e}, t = {slope:e}", self.name)
-    }
-}
-
-impl Drawn<f64> {
-    /// The drawn profile, exactly, in another arithmetic.
-    pub(super) fn lifted<R: Real>(&self, ctx: R::Ctx) -> Drawn<R> {
-        let [length, second, slope] = [self.length, self.second, self.slope].map(|value| R::from_f64(ctx, value));
-        Drawn { name: self.name, length, second, slope }
-    }
-}
-
-impl<R: Real> Drawn<R> {
-    /// Its shapes, over numbers in which R is a constant.
-    fn terms<S: Lift<R>>(&self) -> Vec<Shape<S>> {
-        let [l, b, t] = [&self.length, &self.second, &self.slope].map(S::lift);
-        terms(self.name, |key| match key {
-            "slope" => t.clone(),
-            "flat" | "cap" | "offset" | "wavelength" => b.clone(),
-            "height" | "depth" => t.clone() * &l,
-            "amplitude" => b.square() / l.clone().times(32),
-            _ => l.clone(),
-        })
-    }
-
-    /// The profile by its heights.
-    pub(super) fn heights(&self) -> Result<Heights<R>>
-    where
-        R: Lift<R> + Special,
-    {
-        Heights::new(self.terms::<R>())
-    }
-
-    /// The closed form, over numbers in which R is a constant.
-    pub(super) fn closed<S: Lift<R> + Struve + Kappa>(&self) -> Result<Box<dyn Transform<S>>> {
-        closed_form(self.terms::<S>())
-    }
 }
 
 /// g, g' and ∫g of every profile with a closed form.

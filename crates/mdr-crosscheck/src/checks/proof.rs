@@ -12,8 +12,7 @@ use mdr_numeric::folds;
 use mdr_numeric::proof::{self, EnclosedCurve, ProvedBranches, ProvedFolds};
 use rug::Float;
 
-use super::machine::Machine;
-use super::profiles::{Drawn, ROUNDINGS};
+use super::common::{Drawn, Machine, ROUNDINGS};
 use crate::grid::{Family, Held};
 use crate::subject::profiles::NAMES;
 use crate::trial::Trial;

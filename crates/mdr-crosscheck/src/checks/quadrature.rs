@@ -6,7 +6,7 @@ use mdr_core::contact::{Control, Result, Shape};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 
-use super::folds::transform;
+use super::common::transform;
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Family, Scene};
 use crate::tolerance::{ELONGATION, KAPPA, TRANSFORM, quadrature};

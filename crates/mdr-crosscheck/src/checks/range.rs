@@ -10,7 +10,8 @@ use mdr_core::number::certify::{Decimal, Enclosure};
 use mdr_core::number::{Interval, Precision, Real};
 use rug::{Float, Integer, Rational};
 
-use super::certified::{Exact, literal};
+use super::certified::Exact;
+use super::common::literal;
 use super::kappa::{by_series, ln_kappa};
 use crate::grid::Scene;
 use crate::trial::Trial;

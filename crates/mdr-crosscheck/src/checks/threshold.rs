@@ -7,7 +7,7 @@ use mdr_core::number::Real;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
 
-use super::folds::transform;
+use super::common::transform;
 use crate::arithmetic::Arithmetic;
 use crate::grid::{Exponent, Held, Scales, Scene};
 use crate::tolerance::{ELONGATION, KAPPA, TRANSFORM, quadrature};

@@ -13,7 +13,7 @@ use mdr_symbolic::formula::{Evaluator, Function, Variable, evaluate};
 use mdr_symbolic::{Domain, Error, Formula, Result, Symbol};
 use rug::Rational;
 
-use super::point::Point;
+use super::point::SamplePoint;
 use super::{functions, turn};
 
 /// Numbers that can hold an interval as a constant.
@@ -73,14 +73,14 @@ level!(Third, |_, _, _, _| Err(Error::TooLarge("a fourth derivative".to_owned())
 
 /// A point with values for some symbols, and for n, that are not those of the point.
 pub(super) struct Direct<'a, R> {
-    point: &'a Point,
+    point: &'a SamplePoint,
     n: Rational,
     values: BTreeMap<Symbol, R>,
 }
 
 impl<'a, R: Level> Direct<'a, R> {
     /// A point, and values that are not those of the point.
-    pub(super) fn new(point: &'a Point, values: impl IntoIterator<Item = (&'static str, R)>) -> Self {
+    pub(super) fn new(point: &'a SamplePoint, values: impl IntoIterator<Item = (&'static str, R)>) -> Self {
         let values = values.into_iter().filter_map(|(name, value)| Some((Symbol::named(name)?, value)));
         Direct { point, n: point.exponent().clone(), values: values.collect() }
     }
@@ -97,7 +97,7 @@ impl<'a, R: Level> Direct<'a, R> {
 
     /// g, g', ∫g or ∫g² at the radius a, of the profile p x + q x².
     fn profile(&self, name: &str) -> R {
-        let coefficient = |name| R::constant(Point::interval(&self.point.value(name)));
+        let coefficient = |name| R::constant(SamplePoint::interval(&self.point.value(name)));
         let (p, q, a) = (coefficient("g"), coefficient("g'"), self.named("a"));
         match name {
             "g" => (q * &a + p) * &a,
@@ -146,7 +146,7 @@ impl<R: Level> Evaluator for Direct<'_, R> {
     type Value = R;
 
     fn rational(&self, value: &Rational) -> R {
-        R::constant(Point::interval(value))
+        R::constant(SamplePoint::interval(value))
     }
     fn pi(&self) -> R {
         R::constant(self.point.pi())
@@ -164,7 +164,7 @@ impl<R: Level> Evaluator for Direct<'_, R> {
             ("g" | "g'" | "G" | "Q", _) => self.profile(symbol.name()),
             ("sinθ", Some(angle)) => angle.sin(),
             ("cosθ", Some(angle)) => angle.cos(),
-            ("κ", _) => R::constant(functions::kappa(&Point::interval(&self.n))),
+            ("κ", _) => R::constant(functions::kappa(&SamplePoint::interval(&self.n))),
             _ => R::constant(self.point.symbol(symbol)),
         }
     }

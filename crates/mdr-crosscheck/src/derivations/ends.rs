@@ -10,7 +10,7 @@ use mdr_symbolic::formula::{Evaluator, Function, evaluate};
 use mdr_symbolic::{Domain, Formula, Symbol};
 use rug::Rational;
 
-use super::point::Point;
+use super::point::SamplePoint;
 
 /// An end of the quarter turn.
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +33,7 @@ pub(super) enum Tail {
 }
 
 /// ∫ of the integrand from an end of the quarter turn to the distance `width` from it, which is below 1.
-pub(super) fn tail(integrand: &Formula, point: &Point, end: End, width: &Interval) -> Tail {
+pub(super) fn tail(integrand: &Formula, point: &SamplePoint, end: End, width: &Interval) -> Tail {
     let beside = Beside { point, end, width };
     let Ok(Leading { power, factor, .. }) = evaluate(integrand, Domain::Positive, &beside) else {
         return Tail::Unknown;
@@ -45,7 +45,7 @@ pub(super) fn tail(integrand: &Formula, point: &Point, end: End, width: &Interva
         Tail::Divergent
     } else {
         // The weight t^p is positive, so that the mean of c lies in its enclosure.
-        let next = Point::interval(&next);
+        let next = SamplePoint::interval(&next);
         Tail::Enclosed(factor * &width.pow(&next) / next)
     }
 }
@@ -71,7 +71,7 @@ impl Leading {
     }
 
     fn exact(value: Rational) -> Self {
-        Leading { factor: Point::interval(&value), power: Rational::new(), exact: Some(value) }
+        Leading { factor: SamplePoint::interval(&value), power: Rational::new(), exact: Some(value) }
     }
 
     /// Adds the exact value of an operation on two exact values.
@@ -89,7 +89,7 @@ impl Leading {
 
 /// A point, and the distances t from an end up to a width.
 struct Beside<'a> {
-    point: &'a Point,
+    point: &'a SamplePoint,
     end: End,
     width: &'a Interval,
 }
@@ -100,7 +100,7 @@ impl Beside<'_> {
         match q.cmp0() {
             std::cmp::Ordering::Less => self.unknown().factor,
             std::cmp::Ordering::Equal => self.width.lit(1),
-            std::cmp::Ordering::Greater => self.width.lit(0).hull(&self.width.pow(&Point::interval(q))),
+            std::cmp::Ordering::Greater => self.width.lit(0).hull(&self.width.pow(&SamplePoint::interval(q))),
         }
     }
 

@@ -8,7 +8,7 @@
 //! * *enclosed* is an inequality of numbers, or at one point, that intervals prove; an equality there *agrees*: the two sides
 //!   overlap to [`AGREEMENT`] bits;
 //! * *sampled* is false at none of [`POINTS`] random points and certain at one of them at least, which proves nothing.
-//!   [`Points`] says where they lie;
+//!   [`SamplePoints`] says where they lie;
 //! * *refuted* fails by normal forms, and there is a point where its two sides certainly differ.
 //!
 //! Each statement that is proved or enclosed is also mutated ([`Mutants`]): with one sign, exponent or factor wrong, or with the
@@ -31,7 +31,7 @@ use direct::Direct;
 pub use document::{Document, summary};
 pub(crate) use functions::hypergeometric;
 pub use mutation::{MutantVerdict, Mutants};
-pub use point::{OCTAVES, Point, Points};
+pub use point::{OCTAVES, SamplePoint, SamplePoints};
 
 /// Bits of the intervals.
 pub const BITS: u32 = 96;
@@ -60,9 +60,9 @@ pub struct StepJudgement {
     pub step: &'static Step,
     /// Why its claim does not hold; `None` when it does.
     pub failure: Option<String>,
-    /// Points at which it was evaluated.
+    /// SamplePoints at which it was evaluated.
     pub points: u32,
-    /// Points at which it was certain, of those.
+    /// SamplePoints at which it was certain, of those.
     pub certain: u32,
     /// The verdicts on its mutants.
     pub mutants: Mutants,
@@ -161,19 +161,19 @@ impl StepJudgement {
 }
 
 /// The points of a step. They depend on its statement alone.
-fn points(step: &Step, statement: &Statement, domain: Domain) -> Points {
-    Points::new(&statement.text(), domain, step.point)
+fn points(step: &Step, statement: &Statement, domain: Domain) -> SamplePoints {
+    SamplePoints::new(&statement.text(), domain, step.point)
 }
 
 /// The verdict of intervals on a statement at a point, without normal forms.
-fn truth_as_written(statement: &Statement, domain: Domain, point: &Point) -> Result<Truth, Error> {
+fn truth_as_written(statement: &Statement, domain: Domain, point: &SamplePoint) -> Result<Truth, Error> {
     let side = |side| evaluate(side, domain, &Direct::<Interval>::new(point, []));
     let (left, right) = (side(&statement.left)?, side(&statement.right)?);
     Ok(if point.is_undefined() { Truth::Undefined } else { compare(&left, statement.relation, &right) })
 }
 
 /// The verdict of intervals on a statement at a point, after normal forms have carried out its derivatives and integrals.
-fn truth(statement: &Statement, domain: Domain, point: &Point) -> Result<Truth, Error> {
+fn truth(statement: &Statement, domain: Domain, point: &SamplePoint) -> Result<Truth, Error> {
     let sides = |statement: &Statement| -> Result<_, Error> {
         Ok((evaluate(&statement.left, domain, point)?, evaluate(&statement.right, domain, point)?))
     };

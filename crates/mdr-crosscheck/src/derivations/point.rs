@@ -15,7 +15,7 @@ use super::{BITS, functions, turn};
 
 /// Exact values for n and for every symbol. Formulas are evaluated there in intervals.
 #[derive(Clone, Debug)]
-pub struct Point {
+pub struct SamplePoint {
     n: Rational,
     values: BTreeMap<Symbol, Rational>,
     /// Symbols that are known as intervals only.
@@ -24,7 +24,7 @@ pub struct Point {
     undefined: Cell<bool>,
 }
 
-impl Point {
+impl SamplePoint {
     /// The value of n.
     pub fn exponent(&self) -> &Rational {
         &self.n
@@ -68,18 +68,18 @@ pub const OCTAVES: std::ops::RangeInclusive<i32> = -10..=9;
 /// with equal chance, n itself or 1/2 − n between 2^-10 and 1/2. All symbols lie between 0.1 and 10, but
 /// for the angle θ < π/2, its sine and its cosine.
 #[derive(Debug)]
-pub struct Points {
+pub struct SamplePoints {
     random: Xoshiro256PlusPlus,
     domain: Domain,
     fixed: &'static [(&'static str, &'static str)],
 }
 
-impl Points {
-    /// Points for a statement on a domain, some values of which may be fixed.
+impl SamplePoints {
+    /// SamplePoints for a statement on a domain, some values of which may be fixed.
     pub fn new(words: &str, domain: Domain, fixed: &'static [(&'static str, &'static str)]) -> Self {
         let mut hasher = DefaultHasher::new();
         words.hash(&mut hasher);
-        Points { random: Xoshiro256PlusPlus::seed_from_u64(hasher.finish()), domain, fixed }
+        SamplePoints { random: Xoshiro256PlusPlus::seed_from_u64(hasher.finish()), domain, fixed }
     }
 
     fn fraction(&mut self, numerators: std::ops::RangeInclusive<i64>, denominator: i64) -> Rational {
@@ -109,16 +109,17 @@ fn one_angle(values: &mut BTreeMap<Symbol, Rational>) -> BTreeMap<Symbol, Interv
     let angle = Symbol::named("θ").and_then(|symbol| values.get_mut(&symbol));
     // Symbols are below 10.
     let angle = angle.map(|value| std::mem::take(value) * Rational::from((3, 20)));
-    let functions = angle.iter().map(Point::interval).flat_map(|angle| [("sinθ", angle.sin()), ("cosθ", angle.cos())]);
+    let functions =
+        angle.iter().map(SamplePoint::interval).flat_map(|angle| [("sinθ", angle.sin()), ("cosθ", angle.cos())]);
     let enclosed = functions.filter_map(|(name, value)| Some((Symbol::named(name)?, value))).collect();
     values.extend(Symbol::named("θ").zip(angle));
     enclosed
 }
 
-impl Iterator for Points {
-    type Item = Point;
+impl Iterator for SamplePoints {
+    type Item = SamplePoint;
 
-    fn next(&mut self) -> Option<Point> {
+    fn next(&mut self) -> Option<SamplePoint> {
         let mut n = self.exponent();
         let mut values: BTreeMap<_, _> = Symbol::all().map(|symbol| (symbol, self.fraction(11..=997, 101))).collect();
         for (name, text) in self.fixed {
@@ -129,11 +130,11 @@ impl Iterator for Points {
             }
         }
         let enclosed = one_angle(&mut values);
-        Some(Point { n, values, enclosed, undefined: Cell::new(false) })
+        Some(SamplePoint { n, values, enclosed, undefined: Cell::new(false) })
     }
 }
 
-impl Evaluator for Point {
+impl Evaluator for SamplePoint {
     type Value = Interval;
 
     fn rational(&self, value: &Rational) -> Interval {

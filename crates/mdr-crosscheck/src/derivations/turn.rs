@@ -12,7 +12,7 @@ use mdr_symbolic::{Domain, Formula};
 
 use super::direct::{Direct, Level};
 use super::ends::{End, Tail, tail};
-use super::point::Point;
+use super::point::SamplePoint;
 
 /// Halvings from the middle, θ = π/4, towards an end.
 const OCTAVES: i64 = 11;
@@ -21,12 +21,12 @@ const PANELS: i64 = 24;
 
 /// The integral of `integrand` over θ from 0 to π/2, at a point; the entire line when that cannot be enclosed. Where it
 /// certainly has no value, the point takes note of that.
-pub(super) fn quarter_turn(integrand: &Formula, point: &Point) -> Interval {
+pub(super) fn quarter_turn(integrand: &Formula, point: &SamplePoint) -> Interval {
     let width = point.pi().over(4 << OCTAVES);
     enclosed(integrand, point, &width).unwrap_or_else(|| Interval::entire(width.ctx()))
 }
 
-fn enclosed(integrand: &Formula, point: &Point, width: &Interval) -> Option<Interval> {
+fn enclosed(integrand: &Formula, point: &SamplePoint, width: &Interval) -> Option<Interval> {
     // Both ends come first: either may say that there is no value.
     let tails = [End::Left, End::Right].map(|end| tail(integrand, point, end, width));
     point.note(tails.iter().any(|tail| matches!(tail, Tail::Divergent)));
@@ -40,7 +40,7 @@ fn enclosed(integrand: &Formula, point: &Point, width: &Interval) -> Option<Inte
 }
 
 /// The integral between an end and the middle, from that up to a first `distance` from the end.
-fn half(integrand: &Formula, point: &Point, end: End, distance: &Interval, tail: Interval) -> Option<Interval> {
+fn half(integrand: &Formula, point: &SamplePoint, end: End, distance: &Interval, tail: Interval) -> Option<Interval> {
     let (mut sum, mut left) = (tail, distance.clone());
     for _ in 0..OCTAVES {
         let width = left.clone().over(PANELS);
@@ -56,7 +56,7 @@ fn half(integrand: &Formula, point: &Point, end: End, distance: &Interval, tail:
 }
 
 /// The midpoint rule between the distances left and left + width from an end, with its error.
-fn midpoint(integrand: &Formula, point: &Point, end: End, left: &Interval, width: &Interval) -> Option<Interval> {
+fn midpoint(integrand: &Formula, point: &SamplePoint, end: End, left: &Interval, width: &Interval) -> Option<Interval> {
     let middle = left.clone() + width.clone().over(2);
     let panel = left.hull(&(left.clone() + width));
     let curvature = at(integrand, point, end, Dual::variable(Dual::variable(panel)))?.slope.slope;
@@ -65,7 +65,7 @@ fn midpoint(integrand: &Formula, point: &Point, end: End, left: &Interval, width
 }
 
 /// The integrand at a distance from an end.
-fn at<R: Level>(integrand: &Formula, point: &Point, end: End, distance: R) -> Option<R> {
+fn at<R: Level>(integrand: &Formula, point: &SamplePoint, end: End, distance: R) -> Option<R> {
     let (sine, cosine) = (distance.sin(), distance.cos());
     let values = match end {
         End::Left => [("sinθ", sine), ("cosθ", cosine), ("θ", distance)],

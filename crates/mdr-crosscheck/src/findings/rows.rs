@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::Findings;
 use crate::ladders::{Found, Ladder, Rung};
-use crate::work_precision::{Comparison, Outcome};
+use crate::work_precision::{Accuracy, Comparison};
 
 /// An answer of a method, for a table or CSV.
 #[derive(Serialize)]
@@ -29,9 +29,9 @@ impl Comparison {
             by: if series.ours { "mdr" } else { "textbook" },
             setting: &point.setting,
             outcome: match &point.outcome {
-                Outcome::Digits(_) => "digits".to_owned(),
-                Outcome::AtLeast(_) => "at-least".to_owned(),
-                Outcome::Failed { failed } => format!("failed: {failed}"),
+                Accuracy::Digits(_) => "digits".to_owned(),
+                Accuracy::AtLeast(_) => "at-least".to_owned(),
+                Accuracy::Failed { failed } => format!("failed: {failed}"),
             },
             digits: point.outcome.digits().map(|digits| format!("{digits:.2}")),
             evaluations: point.evaluations,

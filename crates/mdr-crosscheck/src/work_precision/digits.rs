@@ -13,7 +13,7 @@ use rug::{Float, Rational};
 
 use super::kappa::by_gamma;
 use super::outcome::Answer;
-use super::{Clock, Comparison, Point, Series, Task, transform};
+use super::{Clock, Comparison, Measurement, Series, Task, transform};
 use crate::Level;
 use crate::checks::{by_series, literal};
 use crate::subject::closed::numbers;
@@ -72,9 +72,9 @@ impl Asked {
         &self,
         truths: &[Interval],
         prepare: impl Fn(u32) -> Result<S>,
-    ) -> Result<Vec<Point>> {
+    ) -> Result<Vec<Measurement>> {
         let point =
-            |&digits: &u32| Ok(Point::measure(format!("{digits} digits"), self.clock, truths, prepare(digits)?));
+            |&digits: &u32| Ok(Measurement::measure(format!("{digits} digits"), self.clock, truths, prepare(digits)?));
         self.digits.iter().map(point).collect()
     }
 

@@ -14,7 +14,7 @@ use mdr_numeric::springs::Foundation;
 use mdr_numeric::transform::Quadrature;
 
 use super::kappa::by_gamma;
-use super::{Clock, Comparison, Outcome, Point, Series, Task, transform};
+use super::{Accuracy, Clock, Comparison, Measurement, Series, Task, transform};
 use crate::Level;
 
 /// The task.
@@ -117,7 +117,7 @@ impl Question {
             id: format!("fold-{id}-{}", self.name),
             title: format!("{quantity} at the instability of {}", self.words),
             truth: "the tangency g' = Δl' (1.10) over intervals, halved as long as its sign is certain, with closed forms of g",
-            attainable: Some(Outcome::attainable(conditions[index])),
+            attainable: Some(Accuracy::attainable(conditions[index])),
             series: methods
                 .iter()
                 .map(|(method, ours, points)| {
@@ -146,12 +146,12 @@ impl Question {
     }
 
     /// Every method that can answer: its name, whether it is ours, and its points for the radius and the indentation.
-    fn methods(&self, level: Level, clock: Clock, truth: &State) -> Vec<(&'static str, bool, Vec<[Point; 2]>)> {
+    fn methods(&self, level: Level, clock: Clock, truth: &State) -> Vec<(&'static str, bool, Vec<[Measurement; 2]>)> {
         let answer = |setting: String, work: &dyn Fn() -> Result<Found>| {
             let (answer, seconds) = (work(), clock.time(work));
             [0, 1].map(|index| {
                 let number = answer.clone().map(|(found, count)| (found[index], count));
-                Point::of(&*setting, number, &truth[index..=index], seconds)
+                Measurement::of(&*setting, number, &truth[index..=index], seconds)
             })
         };
         let (step, most) = if level == Level::Quick { (4, 11) } else { (1, 17) };

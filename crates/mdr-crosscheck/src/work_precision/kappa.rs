@@ -7,7 +7,7 @@ use mdr_analytic::Kappa;
 use mdr_core::contact::Result;
 use mdr_core::number::{Extended, Gamma, Interval, Precision, Real};
 
-use super::{Clock, Comparison, Outcome, Point, Series, Task};
+use super::{Accuracy, Clock, Comparison, Measurement, Series, Task};
 use crate::Level;
 use crate::subject::textbook::kappa_by_logarithms;
 
@@ -29,7 +29,7 @@ fn comparisons(level: Level, clock: Clock) -> Result<Vec<Comparison>> {
 fn comparison(n: f64, name: &str, level: Level, clock: Clock) -> Comparison {
     let truth = [by_gamma(&Interval::from_f64(Precision::new(256), n))];
     let point = |setting: &str, method: &dyn Fn(f64) -> f64| {
-        Point::measure(setting, clock, &truth, || Ok(method(black_box(n))))
+        Measurement::measure(setting, clock, &truth, || Ok(method(black_box(n))))
     };
     let most = if level == Level::Quick { 6 } else { 10 };
     let growing = |unit: &str, method: fn(f64, u64) -> f64| {
@@ -46,7 +46,7 @@ fn comparison(n: f64, name: &str, level: Level, clock: Clock) -> Comparison {
         title: format!("κ_n at n = {name}"),
         truth: "√π Γ(1+n/2)/Γ((n+1)/2) over intervals of 256 bits, with the Γ of MPFR",
         // |n κ'/κ| < 1/2.
-        attainable: Some(Outcome::attainable(0.5)),
+        attainable: Some(Accuracy::attainable(0.5)),
         series: vec![
             Series::ours(
                 "expansions, right to 1 ulp",

@@ -1,7 +1,7 @@
 //! Error against run time: several methods answer the same question with growing effort, and each answer is compared with
 //! an enclosure of the exact result that shares no code with any of them.
 //!
-//! A [`Task`] has several questions; a [`Comparison`] is one question, a [`Series`] one method, a [`Point`] one setting
+//! A [`Task`] has several questions; a [`Comparison`] is one question, a [`Series`] one method, a [`Measurement`] one setting
 //! of its effort. Beside the methods of this workspace stand those that one would type from a textbook. Errors and numbers
 //! of evaluations are a function of the source, up to the last bit of elementary functions of the system; a test compares
 //! them with `docs/report/work-precision.csv`. Times are measured only when the [`Clock`] runs.
@@ -21,7 +21,7 @@ mod kappa;
 mod outcome;
 mod transform;
 
-pub use outcome::Outcome;
+pub use outcome::Accuracy;
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -82,17 +82,17 @@ pub struct Series {
     /// Whether it is a method of this workspace; else it is one of textbooks.
     pub ours: bool,
     /// By growing effort.
-    pub points: Vec<Point>,
+    pub points: Vec<Measurement>,
 }
 
 /// One answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Point {
+pub struct Measurement {
     /// The effort: "12 nodes", "50 digits", "4096 springs".
     pub setting: String,
     /// The accuracy reached.
     #[serde(flatten)]
-    pub outcome: Outcome,
+    pub outcome: Accuracy,
     /// Evaluations of the integrand, function or spring that the method is made of, where they are counted.
     pub evaluations: Option<u64>,
     /// Seconds that one answer took; `None` if the clock is off.
@@ -101,10 +101,10 @@ pub struct Point {
 
 impl Comparison {
     /// The answers without a number, with their methods and why.
-    pub fn failures(&self) -> impl Iterator<Item = (&Series, &Point, &str)> {
+    pub fn failures(&self) -> impl Iterator<Item = (&Series, &Measurement, &str)> {
         let points = self.series.iter().flat_map(|series| series.points.iter().map(move |point| (series, point)));
         points.filter_map(|(series, point)| match &point.outcome {
-            Outcome::Failed { failed } => Some((series, point, failed.as_str())),
+            Accuracy::Failed { failed } => Some((series, point, failed.as_str())),
             _ => None,
         })
     }
@@ -118,17 +118,17 @@ impl Comparison {
 
 impl Series {
     /// A method of this workspace.
-    fn ours(method: &'static str, points: Vec<Point>) -> Self {
+    fn ours(method: &'static str, points: Vec<Measurement>) -> Self {
         Series { method, ours: true, points }
     }
 
     /// A method of textbooks.
-    fn textbook(method: &'static str, points: Vec<Point>) -> Self {
+    fn textbook(method: &'static str, points: Vec<Measurement>) -> Self {
         Series { method, ours: false, points }
     }
 }
 
-impl Point {
+impl Measurement {
     /// Answers once for the error, then as often as the clock needs for the time.
     fn measure<T: Answer>(
         setting: impl Into<String>,
@@ -143,9 +143,9 @@ impl Point {
     fn of<T: Answer>(setting: impl Into<String>, answer: Result<T>, truths: &[Interval], seconds: Option<f64>) -> Self {
         let (outcome, evaluations) = match answer {
             Ok(answer) => (answer.outcome(truths), answer.evaluations()),
-            Err(error) => (Outcome::failed(&error), None),
+            Err(error) => (Accuracy::failed(&error), None),
         };
-        Point { setting: setting.into(), outcome, evaluations, seconds }
+        Measurement { setting: setting.into(), outcome, evaluations, seconds }
     }
 }
 

@@ -21,7 +21,7 @@ use mdr_core::number::{Dual, Interval, Precision, Real};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::{Quadrature, Rule};
 
-use super::{Clock, Comparison, Outcome, Point, Series, Task, kappa};
+use super::{Accuracy, Clock, Comparison, Measurement, Series, Task, kappa};
 use crate::Level;
 use crate::subject::profiles::terms;
 
@@ -99,12 +99,12 @@ impl Question {
         let profile = Heights::new([self.shape.clone()])?;
         let slope = |r: f64| profile.height(&Dual::variable(r)).slope;
         let point = |setting: String, method: &dyn Fn(f64) -> Result<(f64, u64)>| {
-            Point::measure(setting, clock, std::slice::from_ref(&truth), || method(black_box(x)))
+            Measurement::measure(setting, clock, std::slice::from_ref(&truth), || method(black_box(x)))
         };
         let steps: &[u64] = if quick { &[16, 256, 4096] } else { &[16, 64, 256, 1024, 4096, 16_384, 65_536, 262_144] };
         let springs = steps.iter().map(|&n| point(format!("{n} steps"), &|x| Ok((midpoint(slope, x, n), n))));
         let nodes: &[u64] = if quick { &[4, 16, 64, 256] } else { &[2, 4, 8, 16, 32, 64, 128, 256, 512, 1024] };
-        let in_angle = |rule: fn(u64) -> Result<Vec<[f64; 2]>>| -> Result<Vec<Point>> {
+        let in_angle = |rule: fn(u64) -> Result<Vec<[f64; 2]>>| -> Result<Vec<Measurement>> {
             let at = |&n: &u64| {
                 let rule = rule(n)?;
                 let sum = |x: f64| x * rule.iter().map(|[sine, weight]| weight * slope(x * sine)).sum::<f64>();
@@ -120,8 +120,8 @@ impl Question {
             let solver = Quadrature::new(profile.clone()).with_rule(Rule::Gauss { nodes });
             solved(format!("{nodes} nodes"), &solver)
         };
-        let to_tolerance = |rule: Rule| -> Result<Vec<Point>> {
-            let mut points: Vec<Point> = Vec::new();
+        let to_tolerance = |rule: Rule| -> Result<Vec<Measurement>> {
+            let mut points: Vec<Measurement> = Vec::new();
             for digits in (2..=16).step_by(2) {
                 let solver = Quadrature::new(profile.clone()).with_rule(rule);
                 let solver = solver.with_tolerance(10_f64.powi(-digits))?;
@@ -145,7 +145,7 @@ impl Question {
             id: format!("transform-{}", self.name),
             title: format!("g({x}) of {}", self.words),
             truth: "the closed form of g over intervals, of power laws with the Γ of MPFR; every method integrates heights",
-            attainable: Some(Outcome::attainable(self.condition()?)),
+            attainable: Some(Accuracy::attainable(self.condition()?)),
             series,
         })
     }

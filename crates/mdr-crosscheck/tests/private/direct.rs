@@ -2,12 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
-use super::super::{Points, Truth, truth_as_written};
+use super::super::{SamplePoints, Truth, truth_as_written};
 use super::*;
 use mdr_symbolic::Statement;
 
 fn judged(text: &str) -> Truth {
-    let point = Points::new(text, Domain::Above, &[]).next().unwrap();
+    let point = SamplePoints::new(text, Domain::Above, &[]).next().unwrap();
     truth_as_written(&text.parse::<Statement>().unwrap(), Domain::Above, &point).unwrap()
 }
 
@@ -37,7 +37,7 @@ fn operations_have_their_values() {
 #[test]
 fn cancelled_divisors_are_divided_by() {
     assert!(matches!(judged("at(x^2/x^2, x, 0) = 1"), Truth::Undefined | Truth::Unknown));
-    let point = Points::new("", Domain::Above, &[]).next().unwrap();
+    let point = SamplePoints::new("", Domain::Above, &[]).next().unwrap();
     let fourth: Formula = "diff(diff(diff(diff(a, a), a), a), a)".parse().unwrap();
     let value = evaluate(&fourth, Domain::Above, &Direct::<Interval>::new(&point, []));
     assert!(matches!(value, Err(Error::TooLarge(_))), "{value:?}");

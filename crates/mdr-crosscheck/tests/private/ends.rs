@@ -4,18 +4,18 @@
 
 use super::End::{Left, Right};
 use super::*;
-use crate::derivations::Points;
+use crate::derivations::SamplePoints;
 
 fn width() -> Interval {
-    Point::interval(&Rational::from((1, 1024)))
+    SamplePoint::interval(&Rational::from((1, 1024)))
 }
 
 /// n = 2.
-fn point() -> Point {
-    Points::new("", Domain::Above, &[("n", "2")]).next().unwrap()
+fn point() -> SamplePoint {
+    SamplePoints::new("", Domain::Above, &[("n", "2")]).next().unwrap()
 }
 
-fn of(text: &str, end: End, point: &Point) -> Tail {
+fn of(text: &str, end: End, point: &SamplePoint) -> Tail {
     tail(&text.parse().unwrap(), point, end, &width())
 }
 

@@ -3,7 +3,7 @@
 
 use std::sync::{Arc, LazyLock};
 
-use mdr_core::calculus::gauss_jacobi::{self, Rule};
+use mdr_core::calculus::gauss_jacobi::{self, GaussRule};
 use mdr_core::calculus::quadrature::{Node as Abscissa, pieces, tanh_sinh_near_ends};
 use mdr_core::calculus::{Estimate, Tolerance, roundoff_tolerance};
 use mdr_core::contact::{Error, Result, Transform};
@@ -28,7 +28,7 @@ const OCTAVES: i32 = 40;
 /// Roundings of g and d in a gap, in unit roundoffs.
 const ROUNDINGS: f64 = 64.0;
 
-static RULE: LazyLock<Option<Arc<Rule<f64>>>> = LazyLock::new(|| gauss_jacobi::rule(NODES, &0.0, &0.0).ok());
+static RULE: LazyLock<Option<Arc<GaussRule<f64>>>> = LazyLock::new(|| gauss_jacobi::rule(NODES, &0.0, &0.0).ok());
 
 impl Terrain {
     /// The gap at r > a by the fast rule, in m; a may be 0.
@@ -61,7 +61,7 @@ impl Terrain {
         let nodes = self.panels[index].get_or_init(|| {
             let (lower, width) = (self.edges[index].x, self.edges[index + 1].x - self.edges[index].x);
             let nodes = RULE.iter().flat_map(|rule| rule.nodes());
-            let node = |node: &gauss_jacobi::Node<f64>| {
+            let node = |node: &gauss_jacobi::GaussNode<f64>| {
                 let x = lower + width * node.t;
                 Ok(Node { x, g: self.transform.g(&x)?, weight: width * node.weight })
             };

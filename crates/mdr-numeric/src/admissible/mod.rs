@@ -37,15 +37,15 @@ pub use refine::{Ring, Touch, first_touch, last_admissible};
 /// ```
 /// use std::sync::Arc;
 /// use mdr_core::contact::{Control, Material, Shape};
-/// use mdr_numeric::admissible::{Admissibility, Verdict};
+/// use mdr_numeric::admissible::{Admissibility, GapVerdict};
 /// use mdr_numeric::{contact::Contact, transform::Quadrature};
 /// // Waves of 10 mm on a paraboloid of 1 m: the first crest alone cannot be pressed deep.
 /// let wavy = Arc::new(Quadrature::of([Shape::WavyParaboloid { radius: 1.0, amplitude: 1e-2, wavelength: 0.1 }])?);
 /// let (material, control) = (Material::new(1.0, 1e-6)?, Control::Indentation);
 /// let admissibility = Admissibility::new(wavy.clone(), [1e-6, 0.3]);
 /// let curve = Contact::half_space(&wavy, &material, &control);
-/// assert_eq!(admissibility.of(0.01, curve.indentation(&0.01)?), Verdict::Admissible);
-/// let Verdict::Interpenetrating { radius, gap } = admissibility.of(0.03, curve.indentation(&0.03)?) else { panic!() };
+/// assert_eq!(admissibility.of(0.01, curve.indentation(&0.01)?), GapVerdict::Admissible);
+/// let GapVerdict::Interpenetrating { radius, gap } = admissibility.of(0.03, curve.indentation(&0.03)?) else { panic!() };
 /// assert!(gap < 0.0 && radius > 0.08 && radius < 0.12); // at the next crest
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
@@ -76,7 +76,7 @@ pub enum FirstTouch {
 
 /// The admissibility of a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Verdict {
+pub enum GapVerdict {
     /// No gap is negative, up to the end of the profile.
     Admissible,
     /// The surfaces would interpenetrate.
@@ -188,30 +188,30 @@ impl Admissibility {
     }
 
     /// Whether a contact of radius a at the indentation d is admissible, in equilibrium or not.
-    pub fn of(&self, a: f64, d: f64) -> Verdict {
+    pub fn of(&self, a: f64, d: f64) -> GapVerdict {
         if let Some(why) = self.unknown {
-            return Verdict::Undecided(why);
+            return GapVerdict::Undecided(why);
         }
-        let Some(terrain) = &self.terrain else { return Verdict::Admissible };
+        let Some(terrain) = &self.terrain else { return GapVerdict::Admissible };
         if !(a > 0.0 && a.is_finite() && d.is_finite()) {
-            return Verdict::Undecided("its contact radius or its indentation is no double");
+            return GapVerdict::Undecided("its contact radius or its indentation is no double");
         }
         let apart = if !terrain.knows(a) {
-            Verdict::Undecided("g is not resolved everywhere outside the contact")
+            GapVerdict::Undecided("g is not resolved everywhere outside the contact")
         } else if self.touch.is_some() && !self.isolated {
-            Verdict::Undecided("the formula may dip between the radii at which g was looked at")
+            GapVerdict::Undecided("the formula may dip between the radii at which g was looked at")
         } else {
-            Verdict::Admissible
+            GapVerdict::Admissible
         };
         if let Some((radius, gap)) = self.at_lowest_ring(terrain, a, d) {
-            return Verdict::Interpenetrating { radius, gap };
+            return GapVerdict::Interpenetrating { radius, gap };
         }
         match terrain.narrowest(a, d, true) {
-            Err(_) => Verdict::Undecided("g cannot be computed everywhere outside the contact"),
+            Err(_) => GapVerdict::Undecided("g cannot be computed everywhere outside the contact"),
             Ok(Some((radius, _))) => match terrain.sign(a, d, radius) {
-                Some(gap) if gap < 0.0 => Verdict::Interpenetrating { radius, gap },
+                Some(gap) if gap < 0.0 => GapVerdict::Interpenetrating { radius, gap },
                 Some(_) => apart,
-                None => Verdict::Undecided("the gap closes up to rounding"),
+                None => GapVerdict::Undecided("the gap closes up to rounding"),
             },
             Ok(None) => apart,
         }

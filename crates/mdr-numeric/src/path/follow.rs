@@ -8,7 +8,7 @@ use mdr_core::number::Real;
 use super::begin::{begin, still_apart};
 use super::position::{Position, at_fold, certain, state};
 use super::{ContactState, Event, EventKind, Start};
-use crate::admissible::{Ring, Verdict};
+use crate::admissible::{GapVerdict, Ring};
 use crate::branch::{End, EquilibriumBranches, FirstContact, Towards, next_stable};
 
 pub(super) struct Follower<'a, R, B> {
@@ -228,8 +228,8 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     pub(super) fn overlap(&self, rest: &Equilibrium<R>) -> Option<Ring<R>> {
         let number = |x: f64| R::from_f64(rest.contact_radius.ctx(), x);
         match self.branches.admissibility().of(rest.contact_radius.approx(), rest.indentation.approx()) {
-            Verdict::Interpenetrating { radius, gap } => Some(Ring { radius: number(radius), gap: number(gap) }),
-            Verdict::Admissible | Verdict::Undecided(_) => None,
+            GapVerdict::Interpenetrating { radius, gap } => Some(Ring { radius: number(radius), gap: number(gap) }),
+            GapVerdict::Admissible | GapVerdict::Undecided(_) => None,
         }
     }
 

@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use mdr_core::calculus::gauss_jacobi::{self, Rule};
+use mdr_core::calculus::gauss_jacobi::{self, GaussRule};
 use mdr_core::contact::Result;
 use mdr_core::number::Special;
 
@@ -97,7 +97,7 @@ struct Grid<R> {
     /// Their barycentric weights, (−1)ʲ sin(π(2j+1)/2m).
     weights: Vec<R>,
     /// Exact for the density of a piece (degree 2) times ℓⱼ.
-    gauss: Arc<Rule<R>>,
+    gauss: Arc<GaussRule<R>>,
 }
 
 impl<R: Special> Grid<R> {

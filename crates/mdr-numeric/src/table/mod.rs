@@ -56,7 +56,7 @@ pub const MAXIMUM_ROWS: usize = 100_000;
 
 /// One row of a table, in metres, with the line it was read from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Row {
+pub struct TableRow {
     /// The line in the file, from 1.
     pub line: usize,
     /// r ≥ 0.
@@ -68,13 +68,13 @@ pub struct Row {
 /// A measured profile as exact decimals: at least four rows, radii ascending, f(0) = 0 if r = 0 is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
-    rows: Vec<Row>,
+    rows: Vec<TableRow>,
     units: Option<[String; 2]>,
 }
 
 impl Table {
     /// The rows, by increasing radius.
-    pub fn rows(&self) -> &[Row] {
+    pub fn rows(&self) -> &[TableRow] {
         &self.rows
     }
 
@@ -91,7 +91,7 @@ impl Table {
 
     /// A table with these rows and other heights, one per row.
     pub fn with_heights(&self, heights: impl IntoIterator<Item = Literal>) -> Table {
-        let row = |(row, height): (&Row, Literal)| Row { height, ..row.clone() };
+        let row = |(row, height): (&TableRow, Literal)| TableRow { height, ..row.clone() };
         Table { rows: self.rows.iter().zip(heights).map(row).collect(), units: self.units.clone() }
     }
 

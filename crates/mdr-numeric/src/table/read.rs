@@ -8,7 +8,7 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 use mdr_core::number::{Literal, LiteralError, order};
 use mdr_core::units::{SiUnit, bare, scaled};
 
-use super::{MAXIMUM_ROWS, MINIMUM_ROWS, Row, Table, TableColumn, TableError};
+use super::{MAXIMUM_ROWS, MINIMUM_ROWS, Table, TableColumn, TableError, TableRow};
 
 /// A row of separated columns and the number of its line.
 #[derive(Clone, Debug)]
@@ -100,14 +100,14 @@ impl Layout {
     }
 
     /// A row, with its radius as given.
-    fn row<'a>(&self, line: &'a Line) -> Result<(&'a str, Row), TableError> {
+    fn row<'a>(&self, line: &'a Line) -> Result<(&'a str, TableRow), TableError> {
         line.width(self.width)?;
         let (given, radius) = self.number(line, TableColumn::Radius)?;
         let (_, height) = self.number(line, TableColumn::Height)?;
         if radius.is_negative() {
             return Err(TableError::NegativeRadius { line: line.number, radius: given.to_owned() });
         }
-        Ok((given, Row { line: line.number, radius, height }))
+        Ok((given, TableRow { line: line.number, radius, height }))
     }
 }
 
@@ -145,7 +145,7 @@ impl Table {
             layout.set_units(&units)?;
         }
         // Rows read so far, and the last radius as given.
-        let (mut rows, mut previous) = (Vec::<Row>::new(), String::new());
+        let (mut rows, mut previous) = (Vec::<TableRow>::new(), String::new());
         while let Some(line) = lines.next() {
             let line = line?;
             let (given, row) = layout.row(&line)?;

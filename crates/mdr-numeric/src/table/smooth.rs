@@ -2,7 +2,7 @@
 
 use mdr_core::number::Literal;
 
-use super::{Row, Table, TableError};
+use super::{Table, TableError, TableRow};
 
 /// The least number of rows in reach at each radius, with their mirror images: two more than the coefficients of a
 /// parabola.
@@ -44,7 +44,7 @@ impl Table {
             let height = regression(&even, r, length) - tip;
             let height =
                 Literal::try_from(height).map_err(|_| refuse("its heights are out of range of f64".to_owned()))?;
-            rows.push(Row { height, ..row.clone() });
+            rows.push(TableRow { height, ..row.clone() });
         }
         Ok((Table { rows, units: self.units.clone() }, tip))
     }

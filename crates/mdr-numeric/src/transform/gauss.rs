@@ -20,7 +20,7 @@ pub(super) struct Node<R> {
 /// The rule with `count` nodes for profiles of tip exponent `p`.
 pub(super) fn nodes<R: Real>(p: &R, count: usize) -> Result<Vec<Node<R>>> {
     let rule = gauss_jacobi::rule(count, &p.ratio(-1, 2), &(p.lit(1) + p))?;
-    let node = |node: &gauss_jacobi::Node<R>| {
+    let node = |node: &gauss_jacobi::GaussNode<R>| {
         let s = node.t.clone();
         let smooth = (s.lit(1) + &s).sqrt() * s.pow(p);
         Node { weight: node.weight.clone() / smooth, s }

@@ -1,6 +1,6 @@
 //! CSV tables: accepted ones, and rejected ones with their line and value.
 
-use mdr_numeric::table::{Row, Table, TableError};
+use mdr_numeric::table::{Table, TableError, TableRow};
 
 fn read(text: &str) -> Result<Table, TableError> {
     Table::from_csv(text.as_bytes())
@@ -8,7 +8,7 @@ fn read(text: &str) -> Result<Table, TableError> {
 
 /// Radii and heights as texts in metres.
 fn rows(text: &str) -> Vec<(String, String)> {
-    let exact = |row: &Row| (row.radius.to_string(), row.height.to_string());
+    let exact = |row: &TableRow| (row.radius.to_string(), row.height.to_string());
     read(text).unwrap().rows().iter().map(exact).collect()
 }
 

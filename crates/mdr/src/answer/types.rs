@@ -2,7 +2,7 @@
 
 use mdr_core::contact::{self, Stability, Status};
 use mdr_core::number::Literal;
-use mdr_numeric::admissible::Verdict;
+use mdr_numeric::admissible::GapVerdict;
 
 use super::column::Column;
 use super::record::{Cell, Numbers, Part, Row, record};
@@ -29,11 +29,11 @@ pub enum Admission<N = Number> {
 
 impl<N> Admission<N> {
     /// From the verdict of the search, with its radius and gap as short decimals.
-    pub(crate) fn of(verdict: Verdict) -> Self {
+    pub(crate) fn of(verdict: GapVerdict) -> Self {
         match verdict {
-            Verdict::Admissible => Admission::Admissible,
-            Verdict::Interpenetrating { radius, gap } => Admission::overlapping(Overlap::near(radius, gap)),
-            Verdict::Undecided(why) => Admission::Unknown { why },
+            GapVerdict::Admissible => Admission::Admissible,
+            GapVerdict::Interpenetrating { radius, gap } => Admission::overlapping(Overlap::near(radius, gap)),
+            GapVerdict::Undecided(why) => Admission::Unknown { why },
         }
     }
 

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use mdr_analytic::double::{BranchSlices, Inverse, InverseBatch as Rows};
 use mdr_core::contact::{Control, Equilibrium, Result, Stability, Status};
-use mdr_numeric::admissible::{Basis, Verdict};
+use mdr_numeric::admissible::{Basis, GapVerdict};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::SearchQuality;
@@ -114,7 +114,7 @@ fn on_branch(
 ) -> Result<Option<(Equilibrium<f64>, Status)>> {
     if let Some(state) = branches.on_branch(branch, value)? {
         let status = match branches.admissibility().of(state.contact_radius, state.indentation) {
-            Verdict::Interpenetrating { .. } => Status::NotAdmissible,
+            GapVerdict::Interpenetrating { .. } => Status::NotAdmissible,
             _ => Status::Ok,
         };
         return Ok(Some((state, status)));

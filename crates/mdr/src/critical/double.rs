@@ -3,7 +3,7 @@
 use mdr_analytic::{State, double};
 use mdr_core::contact::{self, Body, Control, Elasticity, Error, Material, Quantity, Ranged, Regime, Result};
 use mdr_core::number::Literal;
-use mdr_numeric::admissible::Verdict;
+use mdr_numeric::admissible::GapVerdict;
 
 use super::{CriticalAnswer, PowerLaw, Threshold, out_of_doubles};
 use crate::answer::record::Numbers;
@@ -34,7 +34,7 @@ pub(super) fn answer(law: &PowerLaw) -> Result<CriticalAnswer> {
     };
     let folds = match found {
         Err(error @ Error::Undecided { .. }) => in_digits(error, n, c, &material, &control)?,
-        found => found?.into_iter().map(|fold| Fold::new(fold, Verdict::Admissible).resolve(ranged)).collect(),
+        found => found?.into_iter().map(|fold| Fold::new(fold, GapVerdict::Admissible).resolve(ranged)).collect(),
     };
     let threshold = match regime {
         Regime::ScaleFree => {

@@ -6,7 +6,7 @@ use mdr_core::number::Literal;
 use mdr_numeric::energy::Energy;
 #[cfg(feature = "mp")]
 use {
-    mdr_analytic::certified::{Curve, Point, Scaled},
+    mdr_analytic::certified::{CertifiedPoint, Curve, Scaled},
     mdr_core::contact::{Control, Equilibrium, Error, Quantity, Stability},
     mdr_core::number::certify::Enclosure,
     mdr_core::number::{Interval, Real},
@@ -167,7 +167,12 @@ fn of_proved(
 
 /// Π and dF/dd of a power law.
 #[cfg(feature = "mp")]
-fn of_law(law: &PowerLaw<'_>, curve: &Curve, point: &Point, value: &Rational) -> Result<EnergyState<Enclosure>> {
+fn of_law(
+    law: &PowerLaw<'_>,
+    curve: &Curve,
+    point: &CertifiedPoint,
+    value: &Rational,
+) -> Result<EnergyState<Enclosure>> {
     let at_fold = || {
         let requirement = "off the fold of the indentation";
         Error::domain(Quantity::ContactRadius, &point.radius().interval(), requirement)

@@ -9,7 +9,7 @@ use mdr_core::number::Literal;
 use mdr_core::number::Real;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
-use mdr_numeric::admissible::{Admissibility, Verdict};
+use mdr_numeric::admissible::{Admissibility, GapVerdict};
 #[cfg(feature = "mp")]
 use mdr_numeric::{branch::EquilibriumBranches, proof::ProvedBranches};
 
@@ -51,7 +51,7 @@ record! {
 }
 
 impl<N> Equilibrium<N> {
-    pub(crate) fn new(state: contact::Equilibrium<N>, verdict: Verdict) -> Self {
+    pub(crate) fn new(state: contact::Equilibrium<N>, verdict: GapVerdict) -> Self {
         let PlainState { contact_radius, indentation, force, stability } = state.into();
         Equilibrium { contact_radius, indentation, force, stability, admissible: Admission::of(verdict), edge: None }
     }
@@ -105,7 +105,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
     #[cfg(feature = "mp")]
     fn by_law(&self, law: &PowerLaw<'_>) -> Result<Option<Output>> {
         let items = law.at_values(self.at, |curve, point, value| {
-            Ok(Equilibrium::new(law.state(curve, point, Some(value)), Verdict::Admissible))
+            Ok(Equilibrium::new(law.state(curve, point, Some(value)), GapVerdict::Admissible))
         })?;
         Ok(Some(Output::Equilibria(List::new(Promise::Certified, items).complete(power_law::complete()))))
     }

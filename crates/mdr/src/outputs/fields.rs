@@ -28,7 +28,7 @@ use crate::{
 use {
     mdr_core::number::certify::Enclosure,
     mdr_core::number::{Interval, Real},
-    mdr_numeric::admissible::Verdict,
+    mdr_numeric::admissible::GapVerdict,
     mdr_numeric::proof::EnclosedFields,
     rug::Rational,
 };
@@ -127,7 +127,7 @@ pub(super) trait FieldRoom<'w> {
     /// # Errors
     /// Errors that concern the whole computation, not one state.
     #[cfg(feature = "mp")]
-    fn proved_admission(verdict: Verdict, _: &EnclosedFields<'_>) -> Result<Admission<Enclosure>> {
+    fn proved_admission(verdict: GapVerdict, _: &EnclosedFields<'_>) -> Result<Admission<Enclosure>> {
         Ok(Admission::of(verdict))
     }
 

@@ -8,7 +8,7 @@ use mdr_core::contact::{self, Edge, FoldKind, Regime, Result, Status};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
-use mdr_numeric::admissible::{Admissibility, Verdict};
+use mdr_numeric::admissible::{Admissibility, GapVerdict};
 
 use super::key::Key;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject};
@@ -50,7 +50,7 @@ record! {
 }
 
 impl<N> Fold<N> {
-    pub(crate) fn new(fold: contact::Fold<N>, verdict: Verdict) -> Self {
+    pub(crate) fn new(fold: contact::Fold<N>, verdict: GapVerdict) -> Self {
         let contact::Fold { contact_radius, indentation, force, kind } = fold;
         Fold {
             contact_radius: Value::Known(contact_radius),
@@ -190,7 +190,7 @@ pub(crate) fn of_answer(answer: certified::Answer) -> Vec<Fold> {
         kind,
     });
     let folds = if answer.folds.is_empty() { critical.into_iter().collect() } else { answer.folds };
-    let written = |fold| Fold::new(fold, Verdict::Admissible).convert(Number::Certified);
+    let written = |fold| Fold::new(fold, GapVerdict::Admissible).convert(Number::Certified);
     folds.into_iter().map(written).collect()
 }
 

@@ -5,7 +5,7 @@ use mdr_core::contact::{Equilibrium, Result};
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
 use mdr_core::number::{Literal, Real};
-use mdr_numeric::admissible::Verdict;
+use mdr_numeric::admissible::GapVerdict;
 use mdr_numeric::fields::Fields;
 #[cfg(feature = "mp")]
 use mdr_numeric::proof::EnclosedFields;
@@ -51,7 +51,7 @@ impl<'w> FieldRoom<'w> for Room<'w> {
 
     /// With its gap where it is below zero.
     #[cfg(feature = "mp")]
-    fn proved_admission(verdict: Verdict, fields: &EnclosedFields<'_>) -> Result<Admission<Enclosure>> {
+    fn proved_admission(verdict: GapVerdict, fields: &EnclosedFields<'_>) -> Result<Admission<Enclosure>> {
         let number = |r: &Literal| Interval::from_literal(fields.precision(), r);
         with_gap(verdict, |r| fields.gap(&number(r)), Enclosure::from)
     }
@@ -68,11 +68,11 @@ impl<'w> FieldRoom<'w> for Room<'w> {
 
 /// A verdict, with the gap at a radius where it is below zero. The radius is as short as it may be: any other one is as good.
 fn with_gap<R: Real, N>(
-    verdict: Verdict,
+    verdict: GapVerdict,
     gap: impl Fn(&Literal) -> Result<R>,
     shown: impl FnOnce(R) -> N,
 ) -> Result<Admission<N>> {
-    let Verdict::Interpenetrating { radius, .. } = &verdict else {
+    let GapVerdict::Interpenetrating { radius, .. } = &verdict else {
         return Ok(Admission::of(verdict));
     };
     for digits in 3..=17 {

@@ -9,10 +9,10 @@ use mdr_core::units::SiUnit;
 use super::OutputKind;
 use crate::error::Result;
 use crate::scene::Location;
-use crate::scene::tree::{Section, Value};
+use crate::scene::tree::{InputValue, Section};
 
 /// How a number of a list is read in its unit.
-pub(crate) type Reader = fn(&Value<'_>, SiUnit) -> Result<Literal>;
+pub(crate) type Reader = fn(&InputValue<'_>, SiUnit) -> Result<Literal>;
 
 /// The key that one output has for its question.
 #[derive(Clone, Copy)]
@@ -129,7 +129,7 @@ fn range(section: &Section<'_>, key: &'static str) -> Result<Option<([Literal; 2
     };
     let inner = value.section()?;
     let list = inner.required("range")?;
-    let ends = list.numbers(SiUnit::Metre, Value::positive)?;
+    let ends = list.numbers(SiUnit::Metre, InputValue::positive)?;
     inner.finish()?;
     let [lower, upper] = <[Literal; 2]>::try_from(ends)
         .map_err(|ends| list.refuse(format!("expected two contact radii, got {}", ends.len())))?;

@@ -5,7 +5,7 @@ use mdr_core::units::SiUnit;
 use mdr_numeric::table::{Table, TableError};
 
 use super::place::Location;
-use super::tree::{Section, Value};
+use super::tree::{InputValue, Section};
 use crate::error::{Error, Result};
 
 /// Measured rows of radius and height, with the zero of their heights and the length over which they are smoothed.
@@ -115,7 +115,7 @@ impl Measured {
         measured.checked(|why| refuse(&why))
     }
 
-    fn from_smooth_tip(file: Table, smooth: &Value<'_>) -> Result<Measured> {
+    fn from_smooth_tip(file: Table, smooth: &InputValue<'_>) -> Result<Measured> {
         let length = smooth.positive(SiUnit::Metre)?.nearest_f64();
         let (table, tip) = file.smoothed(length).map_err(|error| smooth.refuse(error.to_string()))?;
         let first = &file.rows()[0];

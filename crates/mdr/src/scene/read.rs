@@ -10,7 +10,7 @@ use mdr_core::units::SiUnit;
 use super::medium::ExactMedium;
 use super::place::Places;
 use super::profile::Profile;
-use super::tree::{Files, Section, Value};
+use super::tree::{Files, InputValue, Section};
 use super::want::{Arithmetic, DEFAULT_DIGITS, MAX_DIGITS, MOST_WAY_POINTS};
 use super::{Scene, Start, material, parse};
 use crate::answer::OutputKind;
@@ -120,7 +120,7 @@ fn read(top: &Section<'_>) -> Result<Scene> {
 }
 
 /// One work of adhesion, or two: w₂, and both if they differ.
-fn works_of(value: &Value<'_>) -> Result<(Literal, Works)> {
+fn works_of(value: &InputValue<'_>) -> Result<(Literal, Works)> {
     if !value.is_table() {
         return Ok((value.positive(SiUnit::JoulePerSquareMetre)?, None));
     }
@@ -150,7 +150,7 @@ fn material_of(section: &Section<'_>, medium: &ExactMedium) -> Result<(Literal, 
 }
 
 /// E* by one of its keys.
-fn modulus_of(given: (usize, Value<'_>)) -> Result<Literal> {
+fn modulus_of(given: (usize, InputValue<'_>)) -> Result<Literal> {
     Ok(match given {
         (0, e_star) => e_star.positive(SiUnit::Pascal)?,
         (_, list) => {
@@ -163,7 +163,7 @@ fn modulus_of(given: (usize, Value<'_>)) -> Result<Literal> {
 }
 
 /// A table with `e` and `nu`.
-pub(super) fn body(value: &Value<'_>) -> Result<Body<Literal>> {
+pub(super) fn body(value: &InputValue<'_>) -> Result<Body<Literal>> {
     let section = value.section()?;
     let youngs_modulus = section.required("e")?.positive(SiUnit::Pascal)?;
     let nu = section.required("nu")?;
@@ -175,7 +175,7 @@ pub(super) fn body(value: &Value<'_>) -> Result<Body<Literal>> {
     Ok(Body { youngs_modulus, poissons_ratio })
 }
 
-fn start_of(value: &Value<'_>) -> Result<Start> {
+fn start_of(value: &InputValue<'_>) -> Result<Start> {
     match value.text() {
         Ok("largest") => Ok(Start::Largest),
         Ok("smallest") => Ok(Start::Smallest),
@@ -253,7 +253,7 @@ impl Scene {
     }
 }
 
-fn kinds(list: &Value<'_>) -> Result<Vec<OutputKind>> {
+fn kinds(list: &InputValue<'_>) -> Result<Vec<OutputKind>> {
     let mut kinds = Vec::new();
     for value in list.list()? {
         let kind = value.choice("output", &OutputKind::ALL.map(|kind| (kind.name(), kind)))?;

@@ -83,24 +83,24 @@ pub struct Section<'a> {
 
 impl<'a> Section<'a> {
     pub(crate) fn top(document: &'a Document<'a>, root: &'a Node) -> Result<Self> {
-        let value = Value { document, key: String::new(), node: root };
+        let value = InputValue { document, key: String::new(), node: root };
         let mut section = value.section()?;
         section.span = 0..0;
         Ok(section)
     }
 
     /// The value of a key, if it is there.
-    pub fn optional(&self, key: &'static str) -> Option<Value<'a>> {
+    pub fn optional(&self, key: &'static str) -> Option<InputValue<'a>> {
         self.asked.borrow_mut().push(key);
         let entry = self.entries.iter().find(|entry| entry.key == key)?;
-        Some(Value { document: self.document, key: self.full(key), node: &entry.value })
+        Some(InputValue { document: self.document, key: self.full(key), node: &entry.value })
     }
 
     /// The value of a key.
     ///
     /// # Errors
     /// A key that is not there, with the place of the table.
-    pub fn required(&self, key: &'static str) -> Result<Value<'a>> {
+    pub fn required(&self, key: &'static str) -> Result<InputValue<'a>> {
         self.optional(key).ok_or_else(|| self.missing(&[key]))
     }
 
@@ -108,7 +108,7 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// None of the keys, or more than one.
-    pub fn one_of(&self, keys: &[&'static str]) -> Result<(usize, Value<'a>)> {
+    pub fn one_of(&self, keys: &[&'static str]) -> Result<(usize, InputValue<'a>)> {
         let mut given = keys.iter().enumerate().filter_map(|(index, key)| Some((index, self.optional(key)?)));
         match (given.next(), given.next()) {
             (Some(found), None) => Ok(found),
@@ -147,9 +147,9 @@ impl<'a> Section<'a> {
     }
 
     /// Every entry of the table, for tables whose keys are the user's own names.
-    pub fn entries(&self) -> impl Iterator<Item = (String, Value<'a>)> {
+    pub fn entries(&self) -> impl Iterator<Item = (String, InputValue<'a>)> {
         self.entries.iter().map(|entry| {
-            let value = Value { document: self.document, key: self.full(&entry.key), node: &entry.value };
+            let value = InputValue { document: self.document, key: self.full(&entry.key), node: &entry.value };
             (entry.key.clone(), value)
         })
     }
@@ -186,13 +186,13 @@ impl<'a> Section<'a> {
 }
 
 /// A value with the key it stands under.
-pub struct Value<'a> {
+pub struct InputValue<'a> {
     document: &'a Document<'a>,
     key: String,
     node: &'a Node,
 }
 
-impl<'a> Value<'a> {
+impl<'a> InputValue<'a> {
     /// The complaint `file:line: key: why` about this value.
     pub fn refuse(&self, why: impl Into<String>) -> Error {
         self.place().refuse(why)
@@ -276,7 +276,7 @@ impl<'a> Value<'a> {
     ///
     /// # Errors
     /// A value that is no list, and what `read` refuses.
-    pub fn numbers(&self, unit: SiUnit, read: fn(&Value<'a>, SiUnit) -> Result<Literal>) -> Result<Vec<Literal>> {
+    pub fn numbers(&self, unit: SiUnit, read: fn(&InputValue<'a>, SiUnit) -> Result<Literal>) -> Result<Vec<Literal>> {
         self.list()?.iter().map(|value| read(value, unit)).collect()
     }
 
@@ -325,7 +325,7 @@ impl<'a> Value<'a> {
     ///
     /// # Errors
     /// A value that is no list, or a longer one.
-    pub fn list(&self) -> Result<Vec<Value<'a>>> {
+    pub fn list(&self) -> Result<Vec<InputValue<'a>>> {
         self.list_of(MOST_ENTRIES, "ask for fewer, or in several scenes")
     }
 
@@ -333,13 +333,13 @@ impl<'a> Value<'a> {
     ///
     /// # Errors
     /// A value that is no list, or a longer one.
-    pub fn list_of(&self, most: usize, remedy: &str) -> Result<Vec<Value<'a>>> {
+    pub fn list_of(&self, most: usize, remedy: &str) -> Result<Vec<InputValue<'a>>> {
         match &self.node.content {
             Content::List(items) if items.len() > most => {
                 Err(self.refuse(format!("a list of {} entries; at most {most} are read: {remedy}", items.len())))
             }
             Content::List(items) => {
-                let item = |node| Value { document: self.document, key: self.key.clone(), node };
+                let item = |node| InputValue { document: self.document, key: self.key.clone(), node };
                 Ok(items.iter().map(item).collect())
             }
             _ => Err(self.expected("a list")),

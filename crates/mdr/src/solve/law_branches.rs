@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_analytic::certified::{Curve, PathPoint, Point};
+use mdr_analytic::certified::{CertifiedPoint, Curve, PathPoint};
 use mdr_core::contact::{Control, Equilibrium, Fold, FoldKind, Result};
 use mdr_core::number::{Interval, Real};
 use mdr_numeric::admissible::{Admissibility, Ring, Touch};
@@ -18,7 +18,7 @@ pub(crate) struct LawBranches<'a> {
 
 impl<'a> LawBranches<'a> {
     pub(crate) fn new(curve: &'a Curve, way: Vec<Rational>) -> Self {
-        let fold = |(point, kind): &(Point, FoldKind)| {
+        let fold = |(point, kind): &(CertifiedPoint, FoldKind)| {
             let Equilibrium { contact_radius, indentation, force, .. } = state(curve, point);
             Fold { contact_radius, indentation, force, kind: *kind }
         };
@@ -40,7 +40,7 @@ impl<'a> LawBranches<'a> {
 }
 
 /// A state over intervals, of which an end is 0 or ∞ where they cannot hold it.
-fn state(curve: &Curve, point: &Point) -> Equilibrium<Interval> {
+fn state(curve: &Curve, point: &CertifiedPoint) -> Equilibrium<Interval> {
     Equilibrium {
         contact_radius: point.radius().interval(),
         indentation: point.indentation().interval(),

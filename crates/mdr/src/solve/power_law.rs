@@ -1,6 +1,6 @@
 //! The closed forms of a power law for the outputs that have one: all proved, on all radii and at any scale.
 
-use mdr_analytic::certified::{Curve, Elasticity, Point, Question};
+use mdr_analytic::certified::{CertifiedPoint, Curve, Elasticity, Question};
 use mdr_core::contact::{self, ControlKind, Edge, Error, Result, Stability};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision};
@@ -74,7 +74,7 @@ impl<'s> PowerLaw<'s> {
     pub(crate) fn described<T: Numbers<Enclosure>>(
         &self,
         values: &[Literal],
-        describe: impl Fn(&Curve, &Point, &Rational) -> Result<T>,
+        describe: impl Fn(&Curve, &CertifiedPoint, &Rational) -> Result<T>,
     ) -> Result<Vec<AtValue<T::With<Number>>>> {
         match (values, self.scene.path.first()) {
             ([], Some(first)) => decide(self.digits, |precision| {
@@ -94,7 +94,7 @@ impl<'s> PowerLaw<'s> {
     pub(crate) fn at_values<T: Numbers<Enclosure>>(
         &self,
         values: &[Literal],
-        describe: impl Fn(&Curve, &Point, &Rational) -> Result<T>,
+        describe: impl Fn(&Curve, &CertifiedPoint, &Rational) -> Result<T>,
     ) -> Result<Vec<AtValue<T::With<Number>>>> {
         let at = |literal: &Literal| {
             let value = self.number(literal);
@@ -118,7 +118,7 @@ impl<'s> PowerLaw<'s> {
     }
 
     /// The equilibrium in which a path starts; `None` if it cannot start, or if the surfaces are apart.
-    fn start(&self, curve: &Curve, first: &Literal) -> Result<Option<Point>> {
+    fn start(&self, curve: &Curve, first: &Literal) -> Result<Option<CertifiedPoint>> {
         let value = self.number(first);
         let branches = LawBranches::new(curve, vec![value.clone()]);
         match Path::first(&branches, &self.begin(&branches), &branches.enclose(&value)) {
@@ -157,7 +157,7 @@ impl<'s> PowerLaw<'s> {
     pub(crate) fn state(
         &self,
         curve: &Curve,
-        point: &Point,
+        point: &CertifiedPoint,
         value: Option<&Rational>,
     ) -> contact::Equilibrium<Enclosure> {
         let controlled = |kind: ControlKind, number: Enclosure| match value {

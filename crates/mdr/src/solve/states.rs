@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use mdr_core::contact::{self, Error, Result, Stability, Status};
 use mdr_core::number::Literal;
-use mdr_numeric::admissible::{Admissibility, Verdict};
+use mdr_numeric::admissible::{Admissibility, GapVerdict};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::{Equilibria, SearchedBranches};
 use mdr_numeric::folds::{Folds, SearchQuality};
@@ -40,7 +40,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     }
 
     /// Whether a state is admissible.
-    pub(crate) fn verdict(&self, state: &contact::Equilibrium<R>) -> Verdict {
+    pub(crate) fn verdict(&self, state: &contact::Equilibrium<R>) -> GapVerdict {
         self.admissibility().of(state.contact_radius.approx(), state.indentation.approx())
     }
 

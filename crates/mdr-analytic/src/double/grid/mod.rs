@@ -1,7 +1,7 @@
 //! Critical states of many points at once: κ, a, d and F within 2 ulp, at a few nanoseconds a point.
 //!
 //! [`critical_states`] takes slices and fills slices. Ordinary points are evaluated by a kernel of doubles and pairs of
-//! doubles without branches, several points per instruction; the instruction set is chosen at run time ([`Path`]).
+//! doubles without branches, several points per instruction; the instruction set is chosen at run time ([`InstructionSet`]).
 //! Ordinary means: n between 2⁻³⁰ and 512 and not within 2⁻³⁷ of 1/2, E* and w between 10⁻²⁴ and 10²⁴ of their units, C
 //! between 10⁻¹¹⁷ and 10¹¹⁷, and a between 10⁻⁸⁶ and 10⁸⁶ m. All other points, and every point under a machine, are
 //! passed on to [`double::critical`](super::critical), within 1 ulp at some hundred nanoseconds; [`BatchReport::passed_on`]
@@ -50,7 +50,7 @@ mod table;
 use mdr_core::contact::{Control, Error, Material, Quantity, Ranged, Result, Status};
 
 use self::kernel::{Edge, EdgeRows, Kernel, LEN, Pairs, Results, Row};
-pub use self::path::Path;
+pub use self::path::InstructionSet;
 pub(super) use self::path::Work;
 use crate::double::pair::Arithmetic;
 
@@ -109,7 +109,7 @@ pub struct BatchReport {
 /// [`Error::Length`] when slices differ in length, [`Error::Domain`] for a machine whose stiffness is not positive and
 /// finite. Failures at a point are reported by its status.
 pub fn critical_states(points: &Points<'_>, control: &Control<f64>, states: &mut States<'_>) -> Result<BatchReport> {
-    critical_states_on(Path::fastest(), points, control, states)
+    critical_states_on(InstructionSet::fastest(), points, control, states)
 }
 
 /// [`critical_states`] with the instructions of `path`.
@@ -118,7 +118,7 @@ pub fn critical_states(points: &Points<'_>, control: &Control<f64>, states: &mut
 /// [`Error::Length`] when slices differ in length, [`Error::Domain`] for a machine whose stiffness is not positive and
 /// finite. Failures at a point are reported by its status.
 pub fn critical_states_on(
-    path: Path,
+    path: InstructionSet,
     points: &Points<'_>,
     control: &Control<f64>,
     states: &mut States<'_>,

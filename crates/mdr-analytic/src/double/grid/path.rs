@@ -13,9 +13,9 @@ use crate::double::pair::{Arithmetic, Native};
 
 /// An instruction set that this processor supports.
 ///
-/// All give results within the same bound; [`Path::baseline`] may differ from the others in the last place.
+/// All give results within the same bound; [`InstructionSet::baseline`] may differ from the others in the last place.
 #[derive(Clone, Copy, Debug)]
-pub struct Path(Instructions);
+pub struct InstructionSet(Instructions);
 
 #[derive(Clone, Copy, Debug)]
 enum Instructions {
@@ -43,7 +43,7 @@ fn vectorized<S: fearless_simd::Simd, W: Work>(token: S, work: W) -> W::Output {
     )
 }
 
-impl Path {
+impl InstructionSet {
     /// The work with these instructions.
     #[inline]
     pub(in crate::double) fn run<W: Work>(self, work: W) -> W::Output {
@@ -57,38 +57,38 @@ impl Path {
     }
 
     /// The target of the compilation: on x86-64 two points at once, without fused multiply-add.
-    pub fn baseline() -> Path {
-        Path(Instructions::Baseline)
+    pub fn baseline() -> InstructionSet {
+        InstructionSet(Instructions::Baseline)
     }
 
     /// Four points at once, with fused multiply-add: AVX2 and FMA of x86.
-    pub fn avx2() -> Option<Path> {
+    pub fn avx2() -> Option<InstructionSet> {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        return Level::new().as_avx2().map(|token| Path(Instructions::Avx2(token)));
+        return Level::new().as_avx2().map(|token| InstructionSet(Instructions::Avx2(token)));
         #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
         None
     }
 
     /// Eight points at once: AVX-512 of Ice Lake and later.
-    pub fn avx512() -> Option<Path> {
+    pub fn avx512() -> Option<InstructionSet> {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-        return Level::new().as_avx512().map(|token| Path(Instructions::Avx512(token)));
+        return Level::new().as_avx512().map(|token| InstructionSet(Instructions::Avx512(token)));
         #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
         None
     }
 
     /// All that this processor supports, the fastest first.
-    pub fn available() -> impl Iterator<Item = Path> {
-        [Path::avx512(), Path::avx2(), Some(Path::baseline())].into_iter().flatten()
+    pub fn available() -> impl Iterator<Item = InstructionSet> {
+        [InstructionSet::avx512(), InstructionSet::avx2(), Some(InstructionSet::baseline())].into_iter().flatten()
     }
 
     /// The fastest that this processor supports.
-    pub fn fastest() -> Path {
-        Path::avx512().or_else(Path::avx2).unwrap_or_else(Path::baseline)
+    pub fn fastest() -> InstructionSet {
+        InstructionSet::avx512().or_else(InstructionSet::avx2).unwrap_or_else(InstructionSet::baseline)
     }
 }
 
-impl fmt::Display for Path {
+impl fmt::Display for InstructionSet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self.0 {
             Instructions::Baseline => "baseline",

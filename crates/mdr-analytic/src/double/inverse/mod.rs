@@ -11,7 +11,7 @@ use mdr_core::number::Extended;
 
 use self::kernel::Constants;
 pub use self::many::{BranchSlices, InverseBatch};
-use super::grid::{Path, Work};
+use super::grid::{InstructionSet, Work};
 use super::pair::Arithmetic;
 use super::ziv::{Round, decide, settle, undecided};
 use super::{contact, lifted_control};
@@ -69,7 +69,7 @@ pub struct Inverse {
     c: f64,
     material: Material<f64>,
     held: Held,
-    path: Path,
+    path: InstructionSet,
     /// The contact and its fold in one word, unless n = 1/2 or one word is not precise enough.
     word: Option<(PowerLawContact<Extended<1>>, FoldFrame<Extended<1>>)>,
     /// The constants of the kernel from one word, and from two words once they are needed.
@@ -88,13 +88,13 @@ impl Inverse {
         let contact = contact::<Extended<1>>(n, c, material)?;
         let word = if n == 0.5 { None } else { FoldFrame::new(&contact, held).ok().map(|fold| (contact, fold)) };
         let constants = word.as_ref().and_then(|(contact, fold)| Constants::new(contact, fold));
-        let (material, path, better) = (material.clone(), Path::fastest(), OnceLock::new());
+        let (material, path, better) = (material.clone(), InstructionSet::fastest(), OnceLock::new());
         Ok(Inverse { n, c, material, held, path, word, constants, better })
     }
 
     /// Selects the instruction set `path` for the evaluation.
     #[must_use]
-    pub fn with_instructions(self, path: Path) -> Self {
+    pub fn with_instructions(self, path: InstructionSet) -> Self {
         Inverse { path, ..self }
     }
 

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Control, Error, Result, Status};
 use mdr_core::number::Literal;
-use mdr_numeric::admissible::{Admissibility, Ring, Verdict};
+use mdr_numeric::admissible::{Admissibility, GapVerdict, Ring};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::medium::Medium;
@@ -67,7 +67,7 @@ fn admission<R: SceneReal>(event: &Event<R>, admissibility: &Admissibility) -> A
         return Admission::Unknown { why: open_reason(event) };
     }
     if let Some(ring) = &event.ring {
-        let verdict = Verdict::Interpenetrating { radius: ring.radius.approx(), gap: ring.gap.approx() };
+        let verdict = GapVerdict::Interpenetrating { radius: ring.radius.approx(), gap: ring.gap.approx() };
         return match Admission::of(verdict) {
             Admission::Interpenetrating { at, .. } => {
                 Admission::Interpenetrating { at, why: Some(remedy(event, ring)) }
@@ -78,7 +78,7 @@ fn admission<R: SceneReal>(event: &Event<R>, admissibility: &Admissibility) -> A
     let in_contact = |state: &&contact::Equilibrium<R>| state.contact_radius > state.contact_radius.lit(0);
     Admission::of(match event.after.contact().or(event.before.contact()).filter(in_contact) {
         Some(rest) => admissibility.of(rest.contact_radius.approx(), rest.indentation.approx()),
-        None => Verdict::Admissible,
+        None => GapVerdict::Admissible,
     })
 }
 
