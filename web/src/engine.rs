@@ -99,7 +99,7 @@ impl Engine {
                 Stability::Neutral => 0.0,
                 Stability::Unstable => -1.0,
             };
-            // What is held has the value, to the last bit.
+            // The controlled quantity has the value, to the last bit.
             let (d, force) = match self.control {
                 Control::Indentation => (value, state.force),
                 Control::Force => (state.indentation, value),

@@ -269,7 +269,7 @@ impl<R: Real> Balance<R> {
     /// enclosed: that of u − φ(u)/φ'(u) with respect to u is φφ''/φ'², which encloses 0 where u encloses the root, so
     /// the accuracy of the slope of u does not matter.
     pub(crate) fn root(&self, piece: &Piece<R>) -> Result<R> {
-        let guess = self.steered().approximate_root(piece);
+        let guess = self.centred().approximate_root(piece);
         let residual = self.value(&guess) / self.derivative(&guess);
         let radius = residual.abs().midpoint().times(4) + tolerance(&guess).times(8);
         let rising = piece.kind == FoldKind::Minimum;
@@ -280,7 +280,7 @@ impl<R: Real> Balance<R> {
     }
 
     /// This function with representative points as parameters.
-    fn steered(&self) -> Self {
+    fn centred(&self) -> Self {
         Balance { slope: self.slope.midpoint(), offset: self.offset.midpoint(), growth: self.growth.midpoint() }
     }
 

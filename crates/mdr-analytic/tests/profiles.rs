@@ -106,7 +106,7 @@ fn enclosures_with_slopes_contain_what_they_should() {
     }
 }
 
-/// g, its mean and the bounds of g' beside every kink and at the wall, against 240 bits; b = 3/7 is no number of 64 bits.
+/// g, its mean and the bounds of g' beside every kink and at the vertical edge, against 240 bits; b = 3/7 is no number of 64 bits.
 #[test]
 fn kinks_are_enclosed_from_both_sides() {
     let seed = number("1");
@@ -116,8 +116,8 @@ fn kinks_are_enclosed_from_both_sides() {
     enclosed.push(("flat punch", Box::new(FlatPunch::new(one.ratio(3, 7)).unwrap())));
     let mut seen = Vec::new();
     for ((name, sharp), (_, enclosed)) in sharp.iter().zip(&enclosed) {
-        let wall = sharp.outer_radius().filter(|_| sharp.vertical_edge());
-        for (index, b) in sharp.kinks().iter().chain(&wall).enumerate() {
+        let edge = sharp.outer_radius().filter(|_| sharp.vertical_edge());
+        for (index, b) in sharp.kinks().iter().chain(&edge).enumerate() {
             seen.push(*name);
             for octave in [3, 10, 20, 40] {
                 let margin = seed.lit(2).powi(-octave);

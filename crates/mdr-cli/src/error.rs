@@ -11,7 +11,7 @@ pub(crate) type Result<T> = std::result::Result<T, Failure>;
 /// Why a command failed. Its text follows `error: ` on standard error.
 #[derive(Debug)]
 pub(crate) enum Failure {
-    /// A flag with a value that makes no question.
+    /// A flag with an invalid value.
     Flag {
         /// With its dashes.
         flag: &'static str,

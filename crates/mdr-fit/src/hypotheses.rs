@@ -297,7 +297,7 @@ impl<'t> Sampled<'t> {
             let last = self.points[self.points.len() - 1];
             states.extend((1..=8).map(|step| state(last, self.beyond * f64::from(step) / 4.0)));
         }
-        // What is held grows along a stable arc: depth, or force.
+        // The controlled quantity grows along a stable arc: depth, or force.
         let held = usize::from(observation == Observation::IndentationOfForce);
         let rising = |states: &mut dyn Iterator<Item = [f64; 2]>, sign: f64| {
             let mut best = f64::NEG_INFINITY;

@@ -260,17 +260,17 @@ impl<R: Special> Dugdale<R> {
     /// At a vertical edge of radius b: the ring can reach it and not beyond, so that the state with c = b is a minimum if the
     /// force falls with a growing contact up to there.
     fn at_vertical_edge(&self) -> Result<Option<CohesiveState<R>>> {
-        let Some(wall) = self.curve.vertical_edge() else { return Ok(None) };
-        let gap = |a: &R| self.excess_gap(&Ring::new(a, &(wall.clone() - a)));
+        let Some(outer_edge) = self.curve.vertical_edge() else { return Ok(None) };
+        let gap = |a: &R| self.excess_gap(&Ring::new(a, &(outer_edge.clone() - a)));
         // A contact as wide as the edge has no ring, one far narrower has one that opens as far as it can.
-        let narrow = wall.unit_roundoff() * &wall;
-        let wide = wall.clone() - wall.unit_roundoff().times(4) * &wall;
+        let narrow = outer_edge.unit_roundoff() * &outer_edge;
+        let wide = outer_edge.clone() - outer_edge.unit_roundoff().times(4) * &outer_edge;
         let a = match Bracket::new(&narrow, &wide, gap)? {
-            Some(bracket) => roots::refine(bracket, &wall.unit_roundoff(), gap)?.value,
-            None if gap(&narrow)? < wall.lit(0) => narrow,
+            Some(bracket) => roots::refine(bracket, &outer_edge.unit_roundoff(), gap)?.value,
+            None if gap(&narrow)? < outer_edge.lit(0) => narrow,
             None => wide,
         };
-        let ring = Ring::new(&a, &(wall - &a));
+        let ring = Ring::new(&a, &(outer_edge - &a));
         Ok(if self.excess(&ring)? < a.lit(0) { Some(self.state_of(&ring)?) } else { None })
     }
 

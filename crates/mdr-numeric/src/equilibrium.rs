@@ -176,16 +176,16 @@ impl<R: Real> SearchedBranches<R> {
 
     /// The state at a vertical edge, if the contact edge is there at `value`.
     fn at_vertical_edge(&self, value: &R) -> Result<Option<Equilibrium<R>>> {
-        let Some(wall) = self.curve.vertical_edge() else { return Ok(None) };
-        let grows = match self.folds.last().filter(|fold| fold.contact_radius == wall) {
-            Some(fold) => !self.is_at(fold, value) && self.curve.direction_at(&wall, value)? < value.lit(0),
-            None => self.curve.direction_at(&wall, value)? < value.lit(0),
+        let Some(outer_edge) = self.curve.vertical_edge() else { return Ok(None) };
+        let grows = match self.folds.last().filter(|fold| fold.contact_radius == outer_edge) {
+            Some(fold) => !self.is_at(fold, value) && self.curve.direction_at(&outer_edge, value)? < value.lit(0),
+            None => self.curve.direction_at(&outer_edge, value)? < value.lit(0),
         };
         if !grows {
             return Ok(None);
         }
-        let (indentation, force) = self.curve.equilibrium_at(&wall, value)?;
-        Ok(Some(Equilibrium { contact_radius: wall, indentation, force, stability: Stability::Stable }))
+        let (indentation, force) = self.curve.equilibrium_at(&outer_edge, value)?;
+        Ok(Some(Equilibrium { contact_radius: outer_edge, indentation, force, stability: Stability::Stable }))
     }
 
     /// The sign change of the direction of change on a branch, away from poles.

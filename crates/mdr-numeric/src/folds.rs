@@ -122,9 +122,9 @@ pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
     let range = Range::whole(curve.transform(), length);
     let ratio = |a: &R| curve.fold_ratio(a);
     let mut survey = survey::survey(&range, ratio)?;
-    let wall = curve.vertical_edge();
-    if let Some(wall) = &wall {
-        survey.crossings.extend(before_vertical_edge(wall, ratio)?);
+    let outer_edge = curve.vertical_edge();
+    if let Some(outer_edge) = &outer_edge {
+        survey.crossings.extend(before_vertical_edge(outer_edge, ratio)?);
     }
     survey.resolved &= extend_to_end(curve, ratio, &mut survey.crossings)?;
     let completeness = if survey.resolved { SearchQuality::Resolved } else { SearchQuality::Doubtful };
@@ -148,10 +148,10 @@ pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
             added => added?,
         }
     }
-    if let Some(wall) = wall
-        && ratio(&wall)? < wall.lit(1)
+    if let Some(outer_edge) = outer_edge
+        && ratio(&outer_edge)? < outer_edge.lit(1)
     {
-        found.add(curve, wall, FoldKind::Minimum)?;
+        found.add(curve, outer_edge, FoldKind::Minimum)?;
     }
     Ok(found)
 }
@@ -217,10 +217,10 @@ fn extend_to_end<R: Real>(
 }
 
 /// The crossing between the end of the survey and a vertical edge, if there is one.
-fn before_vertical_edge<R: Real>(wall: &R, ratio: impl Fn(&R) -> Result<R>) -> Result<Option<Crossing<R>>> {
-    let surveyed = survey::surveyed_to(wall);
-    let ratios = [ratio(&surveyed)?, ratio(wall)?];
-    Ok(between([surveyed, wall.clone()], ratios))
+fn before_vertical_edge<R: Real>(outer_edge: &R, ratio: impl Fn(&R) -> Result<R>) -> Result<Option<Crossing<R>>> {
+    let surveyed = survey::surveyed_to(outer_edge);
+    let ratios = [ratio(&surveyed)?, ratio(outer_edge)?];
+    Ok(between([surveyed, outer_edge.clone()], ratios))
 }
 
 /// The crossing between two radii, if the ratios there show one.

@@ -11,11 +11,13 @@
 //! computed.
 
 mod chebyshev;
+mod panel;
 
 use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::{Real, order};
 
-use chebyshev::{DEGREE, Drawn, Fit, share};
+use chebyshev::{DEGREE, share};
+use panel::{Settled, fit, is_quiet, outside, settle};
 
 /// A sign change of ln(ratio) between two radii.
 #[derive(Clone, Debug)]
@@ -255,22 +257,22 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
         let by_level = (known.len() == DEGREE + 1).then(|| fit(&known, |sample| sample.level));
         let quiet = if by_level.as_ref().is_some_and(|fit| is_quiet(&known, fit)) { quiet + 1 } else { 0 };
         let verdict = match by_level {
-            _ if quiet == QUIET => Verdict::Empty,
+            _ if quiet == QUIET => Settled::Empty,
             Some(by_level) => settle(&known, &by_level, self.roundoff),
             None => outside(&known, upper - lower, blind),
         };
-        if (!matches!(verdict, Verdict::Open) || narrow) && lower >= -2.0 {
+        if (!matches!(verdict, Settled::Open) || narrow) && lower >= -2.0 {
             self.widest = self.widest.max((upper - lower) * (share(DEGREE / 2 + 1) - share(DEGREE / 2)));
         }
         match verdict {
-            Verdict::Empty => {}
-            Verdict::Flat => self.flat = true,
-            Verdict::Monotone => self.between(&known),
-            Verdict::Open if narrow => {
+            Settled::Empty => {}
+            Settled::Flat => self.flat = true,
+            Settled::Monotone => self.between(&known),
+            Settled::Open if narrow => {
                 self.resolved = false;
                 self.between(&known);
             }
-            Verdict::Open => {
+            Settled::Open => {
                 let middle = 0.5 * (lower + upper);
                 let (first, _) = self.panel(lower, middle, quiet);
                 let (_, last) = self.panel(middle, upper, quiet);
@@ -338,88 +340,4 @@ fn sample<R: Real>(t: f64, ratio: &R) -> Option<Sample> {
     let level = if plain > FLOOR.exp() { ratio.ln().approx() } else { FLOOR - 1.0 + plain / FLOOR.exp() };
     let excess = (ratio.clone() - one).approx();
     Some(Sample { t, level: level.clamp(-CEILING, CEILING), excess, above })
-}
-
-enum Verdict {
-    /// No crossing.
-    Empty,
-    /// At most one.
-    Monotone,
-    /// The ratio is one up to rounding.
-    Flat,
-    /// To be halved.
-    Open,
-}
-
-/// A panel that extends out of the range of the arithmetic, or to radii where the ratio cannot be computed: halved
-/// until the remainder is negligible, and read sample by sample.
-///
-/// After a failed quadrature samples are expensive and the result is doubtful, so larger panels are accepted.
-fn outside(known: &[Sample], width: f64, blind: bool) -> Verdict {
-    if known.is_empty() {
-        Verdict::Empty
-    } else if width < if blind { 0.25 } else { 1e-3 } {
-        Verdict::Monotone
-    } else {
-        Verdict::Open
-    }
-}
-
-/// The polynomial through all samples of a panel.
-fn fit(samples: &[Sample], value: impl Fn(&Sample) -> f64) -> Fit {
-    Fit::new(std::array::from_fn(|i| value(&samples[i])))
-}
-
-fn one_sided(samples: &[Sample]) -> bool {
-    samples.windows(2).all(|pair| pair[0].above == pair[1].above)
-}
-
-/// Whether the samples stay away from the crossing by a margin, and either are within a factor of two or lie on a
-/// smooth curve. Nine samples of many waves may do so by chance, one time in 500 if the waves reach the crossing; hence
-/// the three nested panels.
-fn is_quiet(samples: &[Sample], by_level: &Fit) -> bool {
-    let margin = samples.iter().fold(f64::MAX, |m, sample| m.min(sample.level.abs()));
-    let step = samples.windows(2).fold(0.0, |step: f64, pair| step.max((pair[1].level - pair[0].level).abs()));
-    let spread = by_level.spread();
-    one_sided(samples)
-        && margin > 1.0 + 2.0 * step
-        && (spread < std::f64::consts::LN_2 || by_level.tail() < 0.02 * spread)
-}
-
-/// By ln(ratio), smooth over decades of radii, or else by the ratio itself, smooth over a wave.
-fn settle(samples: &[Sample], by_level: &Fit, roundoff: f64) -> Verdict {
-    if samples.iter().all(|sample| sample.level.abs() <= NOISE * roundoff) {
-        return Verdict::Flat;
-    }
-    let one_sided = one_sided(samples);
-    let width = samples[DEGREE].t - samples[0].t;
-    match resolved(by_level, one_sided, width, roundoff) {
-        Verdict::Open if samples.iter().all(|sample| sample.excess.is_finite()) => {
-            resolved(&fit(samples, |sample| sample.excess), one_sided, width, roundoff)
-        }
-        verdict => verdict,
-    }
-}
-
-/// What the polynomial through the samples of a panel shows about its zeros.
-fn resolved(fit: &Fit, one_sided: bool, width: f64, roundoff: f64) -> Verdict {
-    let (spread, tail) = (fit.spread(), fit.tail());
-    let noise = NOISE * roundoff + 8.0 * f64::EPSILON * fit.largest();
-    let allowed = if width <= 2.0 { 1e-2 * spread } else { 1e-6 * spread };
-    if tail > allowed.max(noise) {
-        return Verdict::Open;
-    }
-    let curve = Drawn::new(fit);
-    let clear = one_sided && curve.keeps_away(4.0 * tail + noise);
-    // The slope of the remainder of the polynomial, by Markov's inequality: two turning points of half a percent of the
-    // spread are two folds nevertheless.
-    let slope = if tail > noise { tail * (DEGREE * DEGREE) as f64 } else { 0.0 };
-    let directed = |sign: f64| curve.is_directed(sign, slope, noise);
-    if clear {
-        Verdict::Empty
-    } else if spread > 4.0 * noise && (directed(1.0) || directed(-1.0)) {
-        Verdict::Monotone
-    } else {
-        Verdict::Open
-    }
 }

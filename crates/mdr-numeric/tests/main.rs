@@ -23,4 +23,4 @@ mod states;
 #[path = "table/main.rs"]
 mod table;
 mod transform;
-mod wall;
+mod vertical_edge;

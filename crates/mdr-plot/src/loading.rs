@@ -42,8 +42,8 @@ pub(crate) fn panel(data: &Diagram, plane: Plane) -> Panel {
     layers.extend(loop_area(data, plane));
     layers.extend(branches(data, plane));
     layers.extend(travelled(data, plane));
-    if let Some(wall) = data.wall {
-        let points = wall.map(|state| plane.point(&state)).to_vec();
+    if let Some(edge) = data.vertical_edge {
+        let points = edge.map(|state| plane.point(&state)).to_vec();
         layers.push(Layer::curve("at the wall", points, Stroke::Solid).meaning("stable"));
     }
     if !data.folds.is_empty() && data.folds.len() <= MOST_MARKS {
@@ -107,7 +107,7 @@ fn states(data: &Diagram, plane: Plane) -> Vec<State> {
     let seen = |sample: &&CurveSample| states.is_empty() || (least..=most).contains(&sample.contact_radius);
     let between: Vec<State> = data.samples().filter(seen).map(state).collect();
     states.extend(between);
-    states.extend(data.wall.iter().flatten());
+    states.extend(data.vertical_edge.iter().flatten());
     states.extend(near(data, plane, &states));
     states
 }
@@ -188,7 +188,7 @@ fn is_cycle(path: &[DiagramEvent]) -> bool {
     }
 }
 
-/// The states on a branch from one to another; in a straight line where they are apart or at a wall.
+/// The states on a branch from one to another; in a straight line where they are apart or at a vertical edge.
 fn smooth(data: &Diagram, from: &State, to: &State) -> Vec<State> {
     let [start, end] = [from.contact_radius, to.contact_radius];
     // Apart there is no branch.

@@ -40,7 +40,7 @@ pub(crate) fn radius_axis(data: &Diagram) -> Axis {
         Axis::log(NAME, Unit::Si("m"), lower, upper)
     } else {
         // A vertical edge is also visible from outside, and an arrow to radius 0 has room.
-        let upper = if data.wall.is_some() { 1.1 * upper } else { upper };
+        let upper = if data.vertical_edge.is_some() { 1.1 * upper } else { upper };
         Axis::linear(NAME, Unit::Si("m"), -0.04 * upper, upper)
     }
 }

@@ -29,7 +29,7 @@ const GUARD: u32 = 60;
 /// The quantities of a state.
 const STATE: [&str; 3] = ["contact_radius", "indentation", "force"];
 
-/// What is held, with the fold that is asked for.
+/// The controlled quantity, with one of its folds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Held {
     Indentation,

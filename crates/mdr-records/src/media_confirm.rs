@@ -120,7 +120,7 @@ impl<R: Real> Twice for R {
     }
 }
 
-/// What is held is stationary at ψ: its slope by dual numbers changes its sign.
+/// The controlled quantity is stationary at ψ: its slope by dual numbers changes its sign.
 fn wave(held: Option<Held>, x: &[Float], values: &[Float]) -> Result<bool> {
     let (h, l, e, w) = (&x[0], &x[1], &x[2], &x[3]);
     let alpha = (w.clone() * l / e).times(2).sqrt() / h / h.pi();

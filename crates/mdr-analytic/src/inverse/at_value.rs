@@ -65,7 +65,7 @@ impl<R: Real> PowerLawContact<R> {
     /// The radius near `first` that is in equilibrium at x. An enclosure that proves a root also proves by the slope on
     /// which side of the fold it is; `first` is only a double.
     fn refined_radius(&self, held: Held, value: &R, first: R, stability: Stability) -> Result<R> {
-        let guess = self.steered()?.approximate_radius(held, &value.midpoint(), first)?;
+        let guess = self.centred()?.approximate_radius(held, &value.midpoint(), first)?;
         let step = self.newton(held, value, &guess, &guess)?.0 - &guess;
         let radius = step.abs().midpoint().times(4) + tolerance(&guess).times(4);
         let rising = stability == Stability::Stable;
@@ -104,7 +104,7 @@ impl<R: Real> PowerLawContact<R> {
     }
 
     /// This contact with representative points as parameters.
-    fn steered(&self) -> Result<Self> {
+    fn centred(&self) -> Result<Self> {
         let (profile, material) = (self.profile(), self.material());
         let kappa = profile.kappa().midpoint();
         let profile = PowerLaw::with_kappa(profile.exponent().midpoint(), profile.coefficient().midpoint(), kappa)?;

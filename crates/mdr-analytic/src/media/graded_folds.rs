@@ -245,13 +245,13 @@ impl<R: Real> Foundation<R> {
 
     /// The root right (where φ rises) or left of the least value, or the only one.
     fn root(&self, least: Option<&R>, rising: bool) -> Result<R> {
-        let steered = Foundation { slope: self.slope.midpoint(), offset: self.offset.midpoint() };
+        let centred = Foundation { slope: self.slope.midpoint(), offset: self.offset.midpoint() };
         let zero = self.slope.lit(0);
         let walk = |from: R, outwards: bool, positive: bool| {
             let mut step = from.lit(if outwards { 1 } else { -1 });
             for _ in 0..from.precision() + 64 {
                 let next = from.clone() + &step;
-                if (steered.value(&next) > zero) == positive {
+                if (centred.value(&next) > zero) == positive {
                     return Ok(next);
                 }
                 step = step.times(2);
@@ -263,7 +263,7 @@ impl<R: Real> Foundation<R> {
             Some(least) => (walk(least.clone(), false, true)?, least),
             None => (walk(zero.clone(), false, false)?, walk(zero.clone(), true, true)?),
         };
-        let guess = newton::within(low, high, rising, |u| (steered.value(u), steered.derivative(u)));
+        let guess = newton::within(low, high, rising, |u| (centred.value(u), centred.derivative(u)));
         let residual = self.value(&guess) / self.derivative(&guess);
         let radius = residual.abs().midpoint().times(4) + tolerance(&guess).times(8);
         newton::enclosed(&guess, radius, rising, "where exactly the fold lies", |u, around| {

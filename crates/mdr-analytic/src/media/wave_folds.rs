@@ -194,7 +194,7 @@ impl<R: Real> Balance<R> {
         Ok(Balance { ln_alpha, compliance })
     }
 
-    fn steered(&self) -> Self {
+    fn centred(&self) -> Self {
         Balance { ln_alpha: self.ln_alpha.midpoint(), compliance: self.compliance.as_ref().map(R::midpoint) }
     }
 
@@ -243,9 +243,9 @@ impl<R: Real> Balance<R> {
         let Some(turn) = turn else { return self.separate_roots() };
         match self.value(&turn).partial_cmp(&turn.lit(0)) {
             Some(Ordering::Greater) => {
-                let (turn, steered) = (turn.midpoint(), self.steered());
-                let low = steered.walk(&turn, -1)?;
-                let high = steered.walk(&turn, 1)?;
+                let (turn, centred) = (turn.midpoint(), self.centred());
+                let low = centred.walk(&turn, -1)?;
+                let high = centred.walk(&turn, 1)?;
                 Ok(vec![
                     (self.root(low, turn.clone(), true)?, FoldKind::Minimum),
                     (self.root(turn, high, false)?, FoldKind::Maximum),
@@ -258,15 +258,15 @@ impl<R: Real> Balance<R> {
 
     /// The folds for κ ≤ 3 − ln 4, on both sides of the gap in which M < 0.
     fn separate_roots(&self) -> Result<Vec<(R, FoldKind)>> {
-        let steered = self.steered();
+        let centred = self.centred();
         // M < 0 at s = 1/4.
         let middle = -self.ln_alpha.lit(3).ln().midpoint();
-        let low = steered.walk(&middle, -1)?;
-        let high = steered.inside(low.clone(), middle.clone())?;
+        let low = centred.walk(&middle, -1)?;
+        let high = centred.inside(low.clone(), middle.clone())?;
         let mut roots = vec![(self.root(low, high, true)?, FoldKind::Minimum)];
         if self.compliance.as_ref().is_some_and(|compliance| *compliance != compliance.lit(0)) {
-            let high = steered.walk(&middle, 1)?;
-            let low = steered.inside(high.clone(), middle)?;
+            let high = centred.walk(&middle, 1)?;
+            let low = centred.inside(high.clone(), middle)?;
             roots.push((self.root(low, high, false)?, FoldKind::Maximum));
         }
         Ok(roots)
@@ -301,8 +301,8 @@ impl<R: Real> Balance<R> {
     }
 
     fn root(&self, low: R, high: R, rising: bool) -> Result<R> {
-        let steered = self.steered();
-        let guess = newton::within(low, high, rising, |v| (steered.value(v), steered.slope(v)));
+        let centred = self.centred();
+        let guess = newton::within(low, high, rising, |v| (centred.value(v), centred.slope(v)));
         let residual = self.value(&guess) / self.slope(&guess);
         let radius = residual.abs().midpoint().times(4) + tolerance(&guess).times(8);
         newton::enclosed(&guess, radius, rising, "where exactly the fold lies", |v, around| {
@@ -324,8 +324,8 @@ fn turning_point<R: Real>(compliance: &R) -> Result<R> {
         let slope = (sum - rest * turn).times(2) - edge / s - l.times(8);
         (value, slope)
     };
-    let steered = compliance.midpoint();
-    let guess = newton::within(steered.ratio(1, 4), steered.ratio(3, 8), false, |s| parts(&steered, s));
+    let centred = compliance.midpoint();
+    let guess = newton::within(centred.ratio(1, 4), centred.ratio(3, 8), false, |s| parts(&centred, s));
     let (value, slope) = parts(compliance, &guess);
     let radius = (value / slope).abs().midpoint().times(4) + tolerance(&guess).times(8);
     let s = newton::enclosed(&guess, radius, false, "where two folds merge", |s, around| {
@@ -365,14 +365,14 @@ impl<R: Real> Touch<'_, R> {
 
     /// The zero through which F rises, up to `far`.
     fn root(&self, far: Option<&R>) -> Result<R> {
-        let balance = self.balance.steered();
-        let steered = Touch { balance: &balance };
+        let balance = self.balance.centred();
+        let centred = Touch { balance: &balance };
         let zero = balance.ln_alpha.lit(0);
         let walk = |from: &R, side: i64, rising: bool| {
             let mut step = from.lit(side);
             for _ in 0..from.precision() + 64 {
                 let next = from.clone() + &step;
-                if (steered.value(&next) > zero) == rising {
+                if (centred.value(&next) > zero) == rising {
                     return Ok(next);
                 }
                 step = step.times(2);
@@ -383,7 +383,7 @@ impl<R: Real> Touch<'_, R> {
             Some(far) => (walk(&far, -1, false)?, far),
             None => (walk(&zero, -1, false)?, walk(&zero, 1, true)?),
         };
-        let guess = newton::within(low, high, true, |v| (steered.value(v), steered.slope(v)));
+        let guess = newton::within(low, high, true, |v| (centred.value(v), centred.slope(v)));
         let residual = self.value(&guess) / self.slope(&guess);
         let radius = residual.abs().midpoint().times(4) + tolerance(&guess).times(8);
         newton::enclosed(&guess, radius, true, "where exactly the equilibrium lies", |v, around| {

@@ -182,7 +182,7 @@ pub(super) fn losses<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
     Ok(())
 }
 
-/// The flat punch with its contact at the wall, under every control: jump-in, linear compression, pull-off; πb²w lost in
+/// The flat punch with its contact at the vertical edge, under every control: jump-in, linear compression, pull-off; πb²w lost in
 /// either, and F²/2k of the machine.
 pub(super) fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let [radius, e_star, work] = [(); 3].map(|()| R::from_f64(ctx, 10_f64.powf(trial.uniform(-20.0, 20.0))));
@@ -206,10 +206,10 @@ pub(super) fn flat_punch<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx
         };
         let rests = [&jump_in.after, &pressed.after, &breaks.before].map(|state| state.contact());
         let [Some(flat), Some(pressed), Some(breaks)] = rests else {
-            trial.fail("the flat punch rests at its wall");
+            trial.fail("the flat punch rests at its vertical edge");
             return Ok(());
         };
-        trial.demand("at the wall", [flat, pressed, breaks].iter().all(|rest| rest.contact_radius == radius));
+        trial.demand("at the vertical edge", [flat, pressed, breaks].iter().all(|rest| rest.contact_radius == radius));
         trial.demand("stable when pressed", pressed.stability == Stability::Stable);
         // Five roundings under each root, the root, and two factors, twice; on a machine those of D and its parts.
         trial.compare("d", &breaks.indentation, &d, 24.0);

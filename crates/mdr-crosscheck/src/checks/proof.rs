@@ -53,9 +53,9 @@ impl<R: Real> Side<R> {
 /// A contact of the library in f64 and over enclosures, each also with derivatives.
 struct Library {
     rough: Side<f64>,
-    steered: Side<Dual<f64>>,
+    dual: Side<Dual<f64>>,
     plain: Side<Interval>,
-    moving: Side<Dual<Interval>>,
+    enclosed_dual: Side<Dual<Interval>>,
     /// A radius on the scale of the profile.
     radius: f64,
 }
@@ -89,15 +89,15 @@ impl Library {
         let lifted = drawn.lifted::<Interval>(ctx);
         Ok(Library {
             rough: Side::new(rough, &material, &control, ())?,
-            steered: Side::new(drawn.closed::<Dual<f64>>()?, &material, &control, ())?,
+            dual: Side::new(drawn.closed::<Dual<f64>>()?, &material, &control, ())?,
             plain: Side::new(lifted.closed::<Interval>()?, &material, &control, ctx)?,
-            moving: Side::new(lifted.closed::<Dual<Interval>>()?, &material, &control, ctx)?,
+            enclosed_dual: Side::new(lifted.closed::<Dual<Interval>>()?, &material, &control, ctx)?,
             radius,
         })
     }
 
     fn enclosed(&self) -> EnclosedCurve {
-        EnclosedCurve::new(self.plain.curve(), self.moving.curve())
+        EnclosedCurve::new(self.plain.curve(), self.enclosed_dual.curve())
     }
 
     /// All folds far around what f64 finds, and around the drawn radius.
@@ -113,16 +113,16 @@ impl Library {
         if self.rough.transform.kinks().iter().any(|kink| (a / kink - 1.0).abs() < 8.0 * f64::EPSILON) {
             return Ok(4.0);
         }
-        let (curve, a) = (self.steered.curve(), Dual::variable(a));
+        let (curve, a) = (self.dual.curve(), Dual::variable(a));
         let condition = |f: Dual<f64>| (f.slope * a.value / f.value).abs();
         let steepness = condition(curve.tangency(&a)? / curve.critical_ratio(&a)?);
-        Ok(ROUNDINGS * (2.0 + condition(self.steered.transform.slope(&a)?)) / steepness + 4.0)
+        Ok(ROUNDINGS * (2.0 + condition(self.dual.transform.slope(&a)?)) / steepness + 4.0)
     }
 
     /// The allowed error of an equilibrium in f64.
     fn equilibrium_error(&self, a: f64, value: f64) -> Result<f64> {
-        let (curve, x) = (self.steered.curve(), Dual::variable(a));
-        let g = self.steered.transform.g(&x)?;
+        let (curve, x) = (self.dual.curve(), Dual::variable(a));
+        let g = self.dual.transform.g(&x)?;
         let terms = g.value.abs() + curve.detachment_elongation(&x)?.value + self.rough.transform.mean(&a)?.abs();
         let direction = curve.direction(&x, &Dual::constant(value))?;
         Ok(100.0 * (terms + (g.slope * a).abs()) / (direction.slope * a).abs() + 4.0)
@@ -193,10 +193,10 @@ pub(super) fn closed(trial: &mut Trial<'_>) -> Result<()> {
     let material = scene.material()?;
     let ctx = Precision::new(BITS);
     let law = PowerLaw::new(Interval::from_f64(ctx, scene.n), Interval::from_f64(ctx, scene.c))?;
-    let moving = PowerLaw::new(Dual::<Interval>::from_f64(ctx, scene.n), Dual::from_f64(ctx, scene.c))?;
+    let enclosed_dual = PowerLaw::new(Dual::<Interval>::from_f64(ctx, scene.n), Dual::from_f64(ctx, scene.c))?;
     let plain = Side::new(Box::new(law.clone()), &material, &control, ctx)?;
     let contact = PowerLawContact::new(law, plain.material.clone());
-    let moving = Side::new(Box::new(moving), &material, &control, ctx)?;
+    let enclosed_dual = Side::new(Box::new(enclosed_dual), &material, &control, ctx)?;
     let expected = match &plain.control {
         Control::Machine { stiffness } => trial.closed.machine_folds(&contact, stiffness)?,
         control => {
@@ -208,7 +208,7 @@ pub(super) fn closed(trial: &mut Trial<'_>) -> Result<()> {
     };
     // Wide enough for all three folds of a machine.
     let ends = [-60, 60].map(|octaves| Float::with_val(BITS, radius) << octaves);
-    let enclosed = EnclosedCurve::new(plain.curve(), moving.curve());
+    let enclosed = EnclosedCurve::new(plain.curve(), enclosed_dual.curve());
     let within =
         |fold: &&Fold<Interval>| *fold.contact_radius.lower() > ends[0] && *fold.contact_radius.upper() < ends[1];
     let expected: Vec<_> = expected.iter().filter(within).collect();

@@ -178,7 +178,7 @@ fn controlled<R: Special>(state: &WaveState<R>, compliance: Option<&R>) -> R {
 }
 
 /// Folds: the controlled quantity is stationary by dual numbers, P and H are those of the curve, and a scan in ln tan²ψ turns as
-/// often. First touch: the controlled quantity is zero. Losses are integrals of (1 − G/w)α² at what is held.
+/// often. First touch: the controlled quantity is zero. Losses are integrals of (1 − G/w)α² at the controlled quantity.
 pub(super) fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let (compliance, control) = control::<R>(round, ctx);
     let alpha = [0.05, 0.2, 0.35, 0.5][round / 7 % 4] * trial.uniform(0.8, 1.1);

@@ -243,16 +243,16 @@ impl Question {
 
     /// The slope of the ratio comes from the quadrature over dual numbers, which counts as one more value.
     fn newton(&self, tolerance: f64) -> Result<Found> {
-        let moving = self.counted::<Dual<f64>>(())?;
+        let dual = self.counted::<Dual<f64>>(())?;
         let [e_star, work] = self.material.map(Dual::constant);
         let (material, control) = (Material::new(e_star, work)?, Control::Indentation);
-        let curve = Contact::half_space(&moving, &material, &control);
+        let curve = Contact::half_space(&dual, &material, &control);
         let with_slope = |a: &f64| {
             let ratio = curve.tangency(&Dual::variable(*a))?;
             Ok((ratio.value - 1.0, ratio.slope))
         };
         let (state, count) = self.tangency(|bracket, _| roots::refine_with_slope(bracket, &tolerance, with_slope))?;
-        Ok((state, count + 2 * moving.evaluations().total()))
+        Ok((state, count + 2 * dual.evaluations().total()))
     }
 
     /// Beside an extremum d changes by the square of the distance: half of the digits of the radius are out of reach.

@@ -159,11 +159,11 @@ impl<'a, R: Real> EnergyIntegrals<'a, R> {
     pub(super) fn work(&self, from: &ContactState<R>, to: &ContactState<R>) -> Result<Estimate<R>> {
         let (ContactState::Contact(from), ContactState::Contact(to)) = (from, to) else { return Ok(self.none()) };
         let mut work = self.along_curve(&from.contact_radius, &to.contact_radius)?;
-        if let Some(wall) = self.curve.vertical_edge() {
+        if let Some(outer_edge) = self.curve.vertical_edge() {
             // At a vertical edge the contact is a linear spring from the end of the curve on.
-            let corner = self.curve.state(&wall)?;
+            let corner = self.curve.state(&outer_edge)?;
             for (state, sign) in [(from, -1), (to, 1)] {
-                if state.contact_radius == wall {
+                if state.contact_radius == outer_edge {
                     let mean_force = (corner.1.clone() + &state.force).over(2);
                     let along = (state.indentation.clone() - &corner.0) * mean_force;
                     work.error += &(along.abs() * along.unit_roundoff().times(ROUNDINGS));

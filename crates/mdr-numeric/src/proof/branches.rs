@@ -150,7 +150,7 @@ impl ProvedBranches {
     fn at_vertical_edge(&self, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
         let Some(edge) = &self.edge else { return Ok(None) };
         match value.partial_cmp(&edge.controlled) {
-            None => Err(self.curve.undecided("whether the contact rests at the wall")),
+            None => Err(self.curve.undecided("whether the contact reaches the vertical edge")),
             Some(Ordering::Less | Ordering::Equal) => Ok(None),
             Some(Ordering::Greater) => {
                 let curve = &self.curve.plain;
@@ -196,7 +196,7 @@ impl ProvedBranches {
         let middle = radius.midpoint();
         let at_middle = self.direction(&middle, value)?;
         let held = Dual::constant(value.clone());
-        let slope = match self.curve.moving.direction_at(&Dual::variable(radius.clone()), &held) {
+        let slope = match self.curve.dual.direction_at(&Dual::variable(radius.clone()), &held) {
             Err(Error::Domain { .. }) => return Ok(radius),
             direction => direction?.slope,
         };

@@ -68,7 +68,7 @@ impl<'a> EnclosedFields<'a> {
             return Err(unproved(&a));
         }
         let d = state.indentation.clone();
-        let edge = if contact.vertical_edge().is_some_and(|wall| wall.overlaps(&a)) {
+        let edge = if contact.vertical_edge().is_some_and(|outer_edge| outer_edge.overlaps(&a)) {
             contact.transform().g(&a)? - &d
         } else {
             contact.elongation(&a)
@@ -86,7 +86,7 @@ impl<'a> EnclosedFields<'a> {
     /// # Errors
     /// [`Error::Undecided`] where it is not certain that the state is no fold of the indentation; errors of the transform.
     pub fn stiffness(&self) -> Result<Interval> {
-        if self.contact.vertical_edge().is_some_and(|wall| wall.overlaps(&self.a)) {
+        if self.contact.vertical_edge().is_some_and(|outer_edge| outer_edge.overlaps(&self.a)) {
             return Ok(self.contact.stiffness(&self.a));
         }
         let open =

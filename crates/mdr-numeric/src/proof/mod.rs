@@ -46,7 +46,7 @@ fn check_half_space(contact: &Contact<Interval>) -> Result<()> {
 #[derive(Clone)]
 pub struct EnclosedCurve {
     plain: Contact<Interval>,
-    moving: Contact<Dual<Interval>>,
+    dual: Contact<Dual<Interval>>,
 }
 
 /// The folds found on a range of radii, and the parts left undecided.
@@ -76,8 +76,8 @@ impl ProvedFolds {
 
 impl EnclosedCurve {
     /// A contact, given over enclosures and over dual numbers of enclosures.
-    pub fn new(plain: Contact<Interval>, moving: Contact<Dual<Interval>>) -> Self {
-        EnclosedCurve { plain, moving }
+    pub fn new(plain: Contact<Interval>, dual: Contact<Dual<Interval>>) -> Self {
+        EnclosedCurve { plain, dual }
     }
 
     /// The contact over enclosures.
@@ -197,7 +197,7 @@ impl EnclosedCurve {
 
     fn with_slope(&self, a: &Interval) -> Result<Dual<Interval>> {
         let a = Dual::variable(a.clone());
-        match self.moving.tangency(&a) {
+        match self.dual.tangency(&a) {
             Err(Error::Domain { .. }) => {
                 let unknown = Interval::entire(a.ctx());
                 Ok(Dual { value: unknown.clone(), slope: unknown })
@@ -205,7 +205,7 @@ impl EnclosedCurve {
             ratio => {
                 let ratio = ratio?;
                 let ratio = Dual { value: self.holding(ratio.value), ..ratio };
-                Ok(ratio - self.moving.critical_ratio_at(&a))
+                Ok(ratio - self.dual.critical_ratio_at(&a))
             }
         }
     }

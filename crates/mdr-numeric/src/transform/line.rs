@@ -120,8 +120,8 @@ impl<R: Real> Transform<R> for LineLoad<R> {
     }
 
     fn vertical_edge(&self) -> bool {
-        let wall = self.load().outer_radius().filter(|_| self.load().vertical_edge());
-        wall.is_some_and(|wall| self.reference.as_ref().is_none_or(|reference| wall < *reference))
+        let outer_edge = self.load().outer_radius().filter(|_| self.load().vertical_edge());
+        outer_edge.is_some_and(|outer_edge| self.reference.as_ref().is_none_or(|reference| outer_edge < *reference))
     }
 
     fn kinks(&self) -> Vec<R> {

@@ -60,7 +60,7 @@ class UndecidedError(Error, ArithmeticError):
 
 
 class SceneError(Error, ValueError):
-    """A scene that makes no question; ``key`` says where, and of a file ``file`` and ``line``."""
+    """An invalid scene: ``key`` is the place, with ``file`` and ``line`` where it was read from a file."""
 
     _names = ("file", "line", "key")
     file: str | None

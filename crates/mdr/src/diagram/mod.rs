@@ -77,7 +77,7 @@ pub struct Diagram {
     /// With two works of adhesion, the branches of an advancing edge: `branches` and all else are those of a receding one.
     pub advancing: Vec<Branch>,
     /// The states in which the contact edge stays at a vertical edge: from the first state on, along a straight line.
-    pub wall: Option<[State; 2]>,
+    pub vertical_edge: Option<[State; 2]>,
     /// The folds within the range of radii.
     pub folds: Vec<State>,
     /// The curves at fixed values of the controlled quantity.
@@ -163,7 +163,10 @@ impl Diagram {
         let shown = |radius: &mut f64| *radius = medium.contact_radius(radius);
         let branches = self.branches.iter_mut().chain(&mut self.advancing);
         branches.flat_map(|branch| &mut branch.samples).for_each(|sample| shown(&mut sample.contact_radius));
-        self.folds.iter_mut().chain(self.wall.iter_mut().flatten()).for_each(|state| shown(&mut state.contact_radius));
+        self.folds
+            .iter_mut()
+            .chain(self.vertical_edge.iter_mut().flatten())
+            .for_each(|state| shown(&mut state.contact_radius));
         for held in &mut self.held {
             held.shifted.iter_mut().for_each(|[radius, _]| shown(radius));
             held.equilibria.iter_mut().for_each(|state| shown(&mut state.contact_radius));
@@ -258,7 +261,7 @@ impl Diagram {
             stiffness_unit: "N/m",
             branches: cut(branches, &nodes, &all),
             advancing: Vec::new(),
-            wall: wall(curve, upper)?,
+            vertical_edge: vertical_edge(curve, upper)?,
             folds: folds.into_iter().filter(|fold| fold.indentation.is_finite()).map(at_fold).collect(),
             held,
             path,
@@ -305,7 +308,7 @@ fn upper_end(branches: &SearchedBranches<f64>, reached: impl Iterator<Item = f64
         (false, Some(outer)) => outer / 2.0,
         (false, None) => curve.material_length(),
     };
-    // At a wall the profile itself ends.
+    // At a vertical edge the profile itself ends.
     let equator =
         outer.map_or(f64::INFINITY, |outer| if curve.vertical_edge().is_some() { outer } else { 0.999 * outer });
     (ROOM * largest).min(equator)
@@ -360,8 +363,8 @@ fn rising(curve: &Contact<f64>, samples: &[CurveSample]) -> bool {
     matches!((curve.tangency(&middle), curve.critical_ratio(&middle)), (Ok(ratio), Ok(threshold)) if ratio > threshold)
 }
 
-/// The states at a wall: the radius stays and the force is 2E*b times the indentation that is added.
-fn wall(curve: &Contact<f64>, upper: f64) -> contact::Result<Option<[State; 2]>> {
+/// The states at a vertical edge: the radius stays and the force is 2E*b times the indentation that is added.
+fn vertical_edge(curve: &Contact<f64>, upper: f64) -> contact::Result<Option<[State; 2]>> {
     let Some(radius) = curve.vertical_edge().filter(|radius| *radius <= upper) else { return Ok(None) };
     let (indentation, force) = curve.state(&radius)?;
     let added = 2.0 * curve.detachment_elongation(&radius)? + indentation.abs();

@@ -275,7 +275,7 @@ impl Output {
         self.content().list().promise()
     }
 
-    /// Whether its list is complete, where that is a question.
+    /// Whether its list is complete; `None` if that is not meaningful.
     pub fn complete(&self) -> Option<&Completeness> {
         self.content().list().complete()
     }

@@ -204,7 +204,7 @@ pub(crate) trait Content {
 pub(crate) trait Table {
     fn promise(&self) -> Promise;
 
-    /// Whether it is complete, where that is a question.
+    /// Whether it is complete; `None` if that is not meaningful.
     fn complete(&self) -> Option<&Completeness>;
 
     /// A row for each record.

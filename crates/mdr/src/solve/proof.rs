@@ -68,7 +68,7 @@ impl FoldProof {
         let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget)?;
         let [from, to] = range;
         let to = match enclosed.value.contact().vertical_edge() {
-            Some(wall) if *wall.lower() < *upper.upper() => Number::F64(wall.approx()).to_string(),
+            Some(outer_edge) if *outer_edge.lower() < *upper.upper() => Number::F64(outer_edge.approx()).to_string(),
             _ if proved.range.1 < *upper.lower() => proved.range.1.to_string_radix_round(10, Some(10), Round::Down),
             _ => to.to_string(),
         };

@@ -22,9 +22,10 @@ pub(crate) fn refined<R: SceneReal>(model: &Model<R>, searched: &Folds<f64>) -> 
 
 fn refine<R: SceneReal>(model: &Model<R>, curve: &Contact<R>, searched: &Fold<f64>) -> Result<Fold<R>> {
     let centre = model.double(searched.contact_radius);
-    if let Some(wall) = curve.vertical_edge().filter(|wall| wall.approx() == searched.contact_radius) {
-        let (indentation, force) = curve.state(&wall)?;
-        return Ok(Fold { contact_radius: wall, indentation, force, kind: searched.kind });
+    if let Some(outer_edge) = curve.vertical_edge().filter(|outer_edge| outer_edge.approx() == searched.contact_radius)
+    {
+        let (indentation, force) = curve.state(&outer_edge)?;
+        return Ok(Fold { contact_radius: outer_edge, indentation, force, kind: searched.kind });
     }
     let excess = |a: &R| Ok(curve.tangency(a)? - curve.critical_ratio(a)?);
     for halvings in [44, 36, 28, 20, 12] {

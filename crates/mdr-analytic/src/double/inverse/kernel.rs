@@ -69,7 +69,7 @@ pub(super) struct Constants {
     n: f64,
     m: Pair,
     inverse_m: f64,
-    outset: InitialGuess,
+    guess: InitialGuess,
     /// x_fold, and the τ above which its rounding and uncertainty are negligible.
     pub(super) fold: f64,
     nearest: f64,
@@ -116,7 +116,7 @@ impl Constants {
             n: n.approx(),
             m,
             inverse_m: m.hi.recip(),
-            outset: InitialGuess::new(excess.approx()),
+            guess: InitialGuess::new(excess.approx()),
             fold: value.pair.hi,
             nearest: 1e-12 + 4.0 * value.error,
             share: Known::new(&(*excess / at_fold))?,
@@ -154,8 +154,8 @@ impl Constants {
     pub(super) fn first<A: Arithmetic>(&self, x: f64, branch: Branch) -> f64 {
         let tau = self.tau(x);
         match branch {
-            Branch::Larger => rough_logarithm::<A>(1.0 + self.outset.growth(tau)) * self.inverse_m,
-            Branch::Smaller => rough_logarithm::<A>(x / (self.fold * self.outset.quotient(tau))),
+            Branch::Larger => rough_logarithm::<A>(1.0 + self.guess.growth(tau)) * self.inverse_m,
+            Branch::Smaller => rough_logarithm::<A>(x / (self.fold * self.guess.quotient(tau))),
         }
     }
 

@@ -141,7 +141,7 @@ impl<'a, R: Real, B: EquilibriumBranches<R>> Edges<'a, R, B> {
     /// The branch of an edge, or its fold, with this radius.
     fn locate(&self, edge: Edge, radius: &R) -> Result<Position> {
         let folds = self.branches(edge).folds();
-        if self.contact.vertical_edge().is_some_and(|wall| self.receding.is_same(&wall, radius)) {
+        if self.contact.vertical_edge().is_some_and(|outer_edge| self.receding.is_same(&outer_edge, radius)) {
             return Ok(Position::Branch(folds.len()));
         }
         if let Some(index) = folds.iter().position(|fold| self.receding.is_same(&fold.contact_radius, radius)) {

@@ -125,9 +125,9 @@ fn at_folds(curve: &Contact<f64>, stretches: &[[f64; 2]]) -> Result<std::result:
         let why = "a minimum of the force between the ends of the path: its folds were not resolved everywhere";
         return Ok(Err(Value::unknown(Status::Undecided, why)));
     }
-    let wall = curve.vertical_edge();
+    let outer_edge = curve.vertical_edge();
     let passes = |radius: f64| {
-        let reached = wall == Some(radius);
+        let reached = outer_edge == Some(radius);
         stretches
             .iter()
             .any(|[from, to]| from.min(*to) < radius && (radius < from.max(*to) || reached && radius == from.max(*to)))
