@@ -11,6 +11,9 @@ use crate::contact::Contact;
 use crate::equator;
 use crate::survey::{self, Crossing, Range};
 
+/// How far beyond two radii [`find_between`] looks, in ln a.
+const BEYOND: f64 = 0.5;
+
 /// The quality of a search. Neither is a proof, which needs enclosures of g over intervals of radii.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SearchQuality {
@@ -113,13 +116,30 @@ where
 /// [`Error::Undecided`] if the condition is satisfied, up to rounding, over a whole range of radii: n = 1/2 with C at a threshold
 /// (1.19).
 pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
+    search(curve, [survey::REACH; 2])
+}
+
+/// The folds of a contact at radii between two, with some beyond them; [`Folds::completeness`] is about those between alone. Waves
+/// without end beyond the larger radius leave nothing open.
+///
+/// # Errors
+/// Errors of [`find`].
+pub fn find_between<R: Real>(curve: &Contact<R>, least: &R, greatest: &R) -> Result<Folds<R>> {
+    let length = curve.material_length();
+    let reach = [length.clone() / least, greatest.clone() / &length];
+    search(curve, reach.map(|ratio| (ratio.ln().approx() + BEYOND).clamp(BEYOND, survey::REACH)))
+}
+
+/// The folds at radii e^(−reach\[0\]) to e^(reach\[1\]) times the length w/E*.
+fn search<R: Real>(curve: &Contact<R>, reach: [f64; 2]) -> Result<Folds<R>> {
     curve.control().check()?;
     let length = curve.material_length();
     if !(length.is_finite() && length.unit_roundoff() * &length > length.lit(0)) {
+        let value = format!("a length w/E* of {}", length.approx());
         let requirement = "of a ratio to E* within the range of this arithmetic, where the search for states begins";
-        return Err(Error::domain(Quantity::WorkOfAdhesion, &length, requirement));
+        return Err(Error::Domain { quantity: Quantity::WorkOfAdhesion, value, requirement });
     }
-    let range = Range::whole(curve.transform(), length);
+    let range = Range { reach, ..Range::whole(curve.transform(), length) };
     let ratio = |a: &R| curve.fold_ratio(a);
     let mut survey = survey::survey(&range, ratio)?;
     let outer_edge = curve.vertical_edge();

@@ -75,6 +75,9 @@ impl<'a, R: Real> Range<'a, R> {
 
 /// The largest |t| of a search: 10^±455000; only n = 1/2 ± 10⁻⁶ and closer has crossings far beyond.
 pub(crate) const REACH: f64 = 1_048_576.0;
+/// The largest −t at which a ratio without a value leaves the search unresolved: further below ℓ a fold would need a profile that
+/// rises by 10²⁷ times the distance from its tip.
+const NEAR: f64 = 64.0;
 /// Panels are not halved below this width in ln a.
 const FINEST: f64 = 1e-7;
 /// The distance in ln a of the search from a kink and from the outer radius, where quadrature loses its digits.
@@ -300,6 +303,11 @@ impl<R: Real, F: Fn(&R) -> Result<R>> Search<'_, R, F> {
             let t = lower * (1.0 - share(i)) + upper * share(i);
             match (self.ratio)(&radius(self.scale, t)) {
                 Ok(ratio) => sample(t, &ratio),
+                // Towards the tip no height overflows: a part of it has left the range of the arithmetic, and nothing is known.
+                Err(Error::OutOfRange { log10, .. }) if !log10.is_finite() && (-NEAR..=0.0).contains(&t) => {
+                    self.resolved = false;
+                    None
+                }
                 Err(Error::OutOfRange { .. } | Error::Domain { .. }) => None,
                 Err(error) => {
                     if error.is_interruption() {

@@ -142,6 +142,39 @@ fn searches_end_within_their_budget() {
     }
 }
 
+/// Waves without end lie beyond the contact: on the way of a path the folds of F are resolved, and F has its minimum at that of
+/// the shape.
+#[test]
+fn a_wave_as_a_formula_has_a_minimum_force() {
+    let rest = "control = { kind = \"indentation\", path = [\"0.004\", \"-0.005\"] }
+        output = { want = [\"force-curve\"], points = 20, arithmetic = \"f64\" }";
+    let shape = "kind = \"wavy-paraboloid\", radius = 1, amplitude = \"5e-4\", wavelength = \"0.1\"";
+    let wave = formula("r^2/2 + 5e-4*(1 - cos(2*pi*r/0.1))", rest);
+    let of_shape = format!("material = {{ e_star = 1, work_of_adhesion = \"1e-4\" }}\nprofile = {{ {shape} }}\n{rest}");
+    let [one, other] = [wave, of_shape].map(|text| solved(&text)["force-curve-summary"].clone());
+    let [least, of_shape] = [&one, &other].map(|summary| summary["minimum_force"].as_f64().expect("a minimum"));
+    assert!((least / of_shape - 1.0).abs() < 1e-12, "{one} {other}");
+    // Below every sample.
+    assert!(least < -0.00067, "{least}");
+}
+
+/// In doubles r² of a small contact is 0, and with it the slope of √(r²) infinite: what is not seen is not denied.
+#[test]
+fn a_height_whose_parts_underflow_leaves_the_start_open() {
+    for (formula, modulus) in [("(r^2)^0.5", "1e300"), ("sqrt(r^2 + r^4)", "1e200"), ("(r^4)^0.25", "1e200")] {
+        let text = format!(
+            "material = {{ e_star = \"{modulus}\", work_of_adhesion = \"1e-4\" }}
+            profile = {{ kind = \"expression\", formula = \"{formula}\" }}
+            control = {{ kind = \"indentation\", path = [0, \"-0.01\"] }}
+            output = {{ want = [\"folds\", \"path\"], arithmetic = \"f64\" }}"
+        );
+        let answer = solved(&text);
+        assert_eq!(answer["path"][0]["event"], "undecided", "{answer}");
+        let why = answer["complete"]["folds"]["why"].as_str().unwrap();
+        assert!(why.contains("not resolved everywhere"), "{why}");
+    }
+}
+
 /// Of w/E* that no double holds, nothing is searched.
 #[test]
 fn ratios_out_of_range_are_refused() {

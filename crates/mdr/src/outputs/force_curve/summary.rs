@@ -15,7 +15,7 @@ use crate::solve::model::Model;
 /// The summary of a path. The samples hold the force at both ends of every stretch between two events.
 ///
 /// # Errors
-/// Errors of [`folds::find`], except for numbers that are not decided.
+/// Errors of [`folds::find_between`], except for numbers that are not decided.
 pub(super) fn summary(
     course: Course<'_, '_>,
     model: &Model<f64>,
@@ -117,7 +117,11 @@ fn minimum(
 /// The least force at a fold of F on stretches between two radii, or why it is not known.
 fn at_folds(curve: &Contact<f64>, stretches: &[[f64; 2]]) -> Result<std::result::Result<Option<f64>, Value>> {
     let curve = curve.with_control(Control::Force);
-    let found = match folds::find(&curve) {
+    let [mut least, mut greatest] = [f64::INFINITY, 0.0_f64];
+    for radius in stretches.as_flattened() {
+        (least, greatest) = (least.min(*radius), greatest.max(*radius));
+    }
+    let found = match folds::find_between(&curve, &least, &greatest) {
         Err(error) => return unknown(error).map(Err),
         Ok(found) => found,
     };
