@@ -5,7 +5,9 @@ use mdr_core::contact::Shape;
 use super::arcs::Arc;
 use super::minimise::{self, Minimum, Precision};
 use super::objective::{AtFold, Objective};
+use super::parameter::Kind;
 use super::start::{self, Source};
+use super::warnings::ALIKE;
 use mdr::Result;
 use mdr::reading::Location;
 use mdr::scene::Profile;
@@ -61,7 +63,7 @@ pub(super) struct Found {
 /// # Errors
 /// No start, or none at which the objective has a value.
 pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated: bool) -> Result<Found> {
-    let dof = objective.rows.len().saturating_sub(objective.free.len()).max(1) as f64;
+    let dof = degrees_of_freedom(objective);
     let enough = if is_stated { (dof + (2.0 * dof).sqrt()) * objective.noise.unit.powi(2) } else { GOOD * dof };
     let has_start = objective.problem.parameters.iter().any(|parameter| parameter.start.is_some());
     let mut search = Search { tried: Vec::new(), evaluations: 0, failure: None };
@@ -92,7 +94,7 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
             }
         }
     }
-    search.end(objective)
+    search.end(objective, is_stated)
 }
 
 struct Search {
@@ -146,10 +148,10 @@ impl Search {
     }
 
     /// All rows, from the best ends on.
-    fn end(mut self, objective: &mut Objective<'_>) -> Result<Found> {
+    fn end(mut self, objective: &mut Objective<'_>, is_stated: bool) -> Result<Found> {
         self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
         let least = self.tried.first().map_or(f64::INFINITY, |attempt| attempt.cost);
-        let mut best: Option<Minimum> = None;
+        let mut minima: Vec<Minimum> = Vec::new();
         // The ends of free descents that were followed, and where they led.
         let mut known: Vec<([f64; 2], Attempt)> = Vec::new();
         for attempt in self.tried.iter_mut().take(FOLLOWED).filter(|attempt| attempt.cost <= NEAR[0] * least + NEAR[1])
@@ -175,15 +177,24 @@ impl Search {
                     attempt.detached = minimum.evaluation.detached();
                     known.push((end, attempt.clone()));
                     self.evaluations = minimum.evaluations;
-                    if best.as_ref().is_none_or(|best| minimum.evaluation.cost() < best.evaluation.cost()) {
-                        best = Some(minimum);
-                    }
+                    minima.push(minimum);
                 }
                 Err(error) => self.failure = Some(error),
             }
         }
         self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
-        match best {
+        minima.sort_by(|one, other| one.evaluation.cost().total_cmp(&other.evaluation.cost()));
+        // Rows out of contact that the free numbers of the baseline alone take up say nothing of a jump before them.
+        if let Some(first) = minima.first()
+            && (1..=pins(objective)).contains(&first.evaluation.detached())
+            && let Some(place) = minima.iter().position(|minimum| minimum.evaluation.detached() == 0)
+            && minima[place].evaluation.cost() - first.evaluation.cost() < ALIKE * variance(objective, least, is_stated)
+        {
+            let attached = minima.remove(place);
+            self.tried.sort_by_key(|attempt| attempt.fitted != attached.fitted);
+            minima.insert(0, attached);
+        }
+        match minima.into_iter().next() {
             Some(minimum) => {
                 objective.at_fold.clone_from(&minimum.at_fold);
                 let minimum = minimise::polish(objective, &minimum.fitted, self.evaluations, Precision::Full)?;
@@ -197,6 +208,21 @@ impl Search {
 /// Whether two ends, each a sum of squares and a number of detached rows, are one.
 fn is_same([cost, detached]: [f64; 2], other: [f64; 2], tolerance: f64) -> bool {
     detached == other[1] && (cost - other[0]).abs() <= tolerance * cost.min(other[0])
+}
+
+/// How many free numbers only rows out of contact tell from others: those of the baseline.
+fn pins(objective: &Objective<'_>) -> usize {
+    let kinds = [Kind::Baseline, Kind::BaselineSlope, Kind::BaselineDrift];
+    kinds.into_iter().filter(|kind| objective.problem.is_free(*kind)).count()
+}
+
+/// The variance of a residual, in the unit of the sum of squares: as stated, or that of the residuals.
+fn variance(objective: &Objective<'_>, least: f64, is_stated: bool) -> f64 {
+    if is_stated { objective.noise.unit.powi(2) } else { least / degrees_of_freedom(objective) }
+}
+
+fn degrees_of_freedom(objective: &Objective<'_>) -> f64 {
+    objective.rows.len().saturating_sub(objective.free.len()).max(1) as f64
 }
 
 /// The least minimum of all rows near a start, from which a descent has led to the free one.

@@ -18,7 +18,7 @@ const NEARLY_OPEN: f64 = 1e-3;
 const NEAR_ZERO: f64 = 0.4;
 
 /// The difference of χ² up to which the data do not distinguish two minima.
-const ALIKE: f64 = 9.0;
+pub(super) const ALIKE: f64 = 9.0;
 
 /// The deviation of the residuals over the scatter of neighbouring rows above which there is a warning.
 const LARGER: f64 = 2.0;
@@ -159,7 +159,7 @@ pub(super) fn of_minima(fit: &mut Fit, objective: &Objective<'_>, tried: &[Attem
         "the data hardly tell this minimum from another, with {} rows detached: {}; χ² is larger there by {:.2} only",
         other.detached,
         numbers.collect::<Vec<_>>().join(", "),
-        (other.cost - least.cost) / (deviation * deviation)
+        (other.cost - least.cost).max(0.0) / (deviation * deviation)
     );
     fit.warnings.push(warning);
 }

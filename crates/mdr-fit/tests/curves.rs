@@ -96,6 +96,26 @@ fn tips_are_recovered_from_anywhere() {
     }
 }
 
+/// A record that ends before pull-off, with the baseline free: that the last row is out of contact fits as well, for the baseline
+/// takes it up, and it would tell w with an error a hundred times too small.
+#[test]
+fn a_last_row_that_the_baseline_takes_up_is_no_jump() {
+    let (tip, formula, range) = tips().remove(0);
+    for seed in 1..9 {
+        let (x, y, sigma) = curve(formula, range, 150, 1e-2, &mut Normal(seed));
+        let rows = 70;
+        let problem = Problem::new(tip.clone(), Observation::ForceOfIndentation, &x[..rows], &y[..rows]).unwrap();
+        let problem = problem.free(["e_star", "work_of_adhesion", "contact_point", "baseline"]).unwrap();
+        let fit = problem.sigma_y(sigma).unwrap().fit().unwrap();
+        assert!(fit.rows.iter().all(|row| row.label >= 0), "{seed}: {:?}", fit.warnings);
+        for (estimate, made) in fit.parameters.iter().zip([E_STAR, WORK, 1e-7, 0.0]) {
+            if let [Some(value), Some(stderr)] = [estimate.value, estimate.stderr] {
+                assert!((value - made).abs() < 4.5 * stderr, "{seed}: {estimate:?}");
+            }
+        }
+    }
+}
+
 /// Rows that lie close together at the fold, with noise in X and Y, a short tail, and nothing stated: no start, no σ.
 #[test]
 fn a_crowded_record_needs_no_start() {
