@@ -66,6 +66,18 @@ fn the_message_of_the_contract() {
         .stderr_eq("error: --n: must be positive and finite, got -1\n");
 }
 
+/// A long number is not repeated as a whole, nor a part of a range or of a list.
+#[test]
+fn messages_of_ranges_are_short() {
+    let long = "7".repeat(50_000);
+    for n in [format!("1:x{long}:2"), format!("x{long}:2:1"), format!("{long},{long}"), format!("1,2,x{long}")] {
+        let flag = format!("--n={n}");
+        let assert = mdr("critical --c 1 --e-star 1 --work 1").arg(flag).assert().code(2).stdout_eq("");
+        let message = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+        assert!(message.starts_with("error: --n: ") && message.chars().count() < 1200, "{}", message.len());
+    }
+}
+
 #[test]
 fn a_flag_without_a_value_takes_the_next_word() {
     refused(&["critical", "--n", "--c", "1", "--e-star", "1", "--work", "1"], &["unexpected argument '1'"]);

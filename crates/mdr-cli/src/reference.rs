@@ -27,8 +27,7 @@ pub(crate) struct Reference {
     #[arg(long, value_enum, requires = "table", conflicts_with_all = ["export", "format"])]
     language: Option<Language>,
 
-    /// Write the records to a file, as JSON lines (.jsonl) or as a table (.csv); with --table .csv, .json, .h, .py, .f90 or .jl
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help = format!("Write the records to a file, as JSON lines (.jsonl) or as a table (.csv); with --table {}", extensions()))]
     export: Option<PathBuf>,
 
     /// Write the data sets of the certified fits into this folder: what is fitted (.toml) and the curve (.csv)
@@ -179,9 +178,16 @@ fn export_table(file: &Path, table: &Table, out: &mut Output<impl std::io::Write
     let extension = file.extension().and_then(|extension| extension.to_str());
     let format = TableFormat::ALL.into_iter().find(|(_, known)| Some(*known) == extension);
     let (format, _) =
-        format.ok_or_else(|| Failure::flag("--export", "must end in .csv, .json, .h, .py, .f90 or .jl", &name))?;
+        format.ok_or_else(|| Failure::flag("--export", format_args!("must end in {}", extensions()), &name))?;
     files::write("--export", file, table.write(format))?;
     out.text(format_args!("{name}: {} rows", table.rows().count()))
+}
+
+/// The extensions of the files of a table: `.csv, .json … or .jl`.
+fn extensions() -> String {
+    let all = TableFormat::ALL.map(|(_, extension)| format!(".{extension}"));
+    let [others @ .., last] = &all;
+    format!("{} or {last}", others.join(", "))
 }
 
 /// The list of tables, each with its content.

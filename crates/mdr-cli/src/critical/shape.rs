@@ -3,6 +3,7 @@
 use clap::Args;
 use mdr::critical::PowerLaw;
 use mdr::prelude::{Arithmetic, Literal};
+use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
 
 use crate::error::{Failure, Result};
@@ -67,8 +68,9 @@ fn exponents(flag: Flag<'_>) -> Result<Vec<Literal>> {
         && is_whole(first)
         && is_whole(last)
     {
-        let why = format!("not a number, and two whole numbers may be one with a decimal comma: write {first}.{last}");
-        return Err(flag.refuse(format!("{why}, or {first}.0,{last} for two")));
+        let [one, two] = [format!("{first}.{last}"), format!("{first}.0,{last}")];
+        let why = "not a number, and two whole numbers may be one with a decimal comma";
+        return Err(flag.refuse(format!("{why}: write {}, or {} for two", excerpt(&one), excerpt(&two))));
     }
     let mut all = Vec::new();
     for part in flag.text.split(',') {
@@ -79,7 +81,7 @@ fn exponents(flag: Flag<'_>) -> Result<Vec<Literal>> {
                 let part = |name: &str, text: &str| {
                     Flag::new(flag.name, text).positive(SiUnit::One).map_err(|failure| match failure {
                         Failure::Flag { why, .. } => {
-                            flag.refuse(format!("the {name} of the range {why}, it is {text}"))
+                            flag.refuse(format!("the {name} of the range {why}, it is {}", excerpt(text)))
                         }
                         other => other,
                     })
