@@ -125,6 +125,7 @@ def test_files_of_afmformats_are_fitted(tmp_path):
             width = 4.5 * found[name].stderr if observation != "F(d)" else 0.02 * made
             assert abs(found[name].value - made) < width, (observation, found)
     assert set(mdr.from_afmformats(path, legs=["approach"])["leg"]) == {"approach"}
+    assert set(mdr.from_afmformats(path, legs="retract")["leg"]) == {"retract"}
     # A .tab file has forces, which another spring constant would contradict.
     with pytest.raises(ValueError, match="no other spring constant"):
         mdr.from_afmformats(path, stiffness=0.9 * SPRING)

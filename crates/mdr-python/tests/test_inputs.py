@@ -34,6 +34,23 @@ def test_json_at_fault_says_what_and_names_no_file() -> None:
         mdr.solve('{"profile": ')
 
 
+def lists(depth: int) -> list[Any]:
+    inner: list[Any] = []
+    for _ in range(depth):
+        inner = [inner]
+    return inner
+
+
+@pytest.mark.parametrize("depth", [100, 100_000])
+def test_a_scene_of_deep_lists_is_refused(depth: int) -> None:
+    with pytest.raises(mdr.SceneError, match="nested deeper than 64 levels"):
+        mdr.solve({**SCENE, "profile": lists(depth)})
+    cycle: dict[str, Any] = {}
+    cycle["profile"] = cycle
+    with pytest.raises(mdr.SceneError, match="nested deeper than 64 levels"):
+        mdr.solve(cycle)
+
+
 HIDDEN = np.ma.masked_invalid([1e-8, np.nan, 2e-7])
 HIDDEN.data[1] = 1e-7  # a number below the mask
 
@@ -139,6 +156,7 @@ GOOD = ([0, 1, 2, 3, 4], [0, 1, 4, 9, 16])
         ([[0, 1], [2, 3]], [0, 1, 4, 9], r"^r must have one dimension, got shape \(2, 2\)"),
         ([0, 1, 2, 3], [[0, 1], [4, 9]], r"^f must have one dimension, got shape \(2, 2\)"),
         (1.0, 1.0, r"^r must have one dimension, got shape \(\)"),
+        (GOOD[0], [1, 2, 5, 10, 17], r"^f\[0\] must be zero at the tip, r\[0\] = 0, unless there is an offset, got 1.0"),
     ],
 )
 def test_a_table_names_the_row_at_fault(r: Any, f: Any, words: str) -> None:
@@ -148,6 +166,7 @@ def test_a_table_names_the_row_at_fault(r: Any, f: Any, words: str) -> None:
 
 def test_a_table_that_is_one() -> None:
     assert repr(mdr.Table(*GOOD)) == "<Table of 5 rows>"
+    assert mdr.Table(GOOD[0], [1, 2, 5, 10, 17], offset=1).g(1) == mdr.Table(*GOOD).g(1)
     assert mdr.Table([Fraction(i, 3) for i in range(5)], [Decimal(i * i) for i in range(5)]).g(1) > 0
 
 

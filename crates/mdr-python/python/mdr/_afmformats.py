@@ -49,7 +49,7 @@ def from_afmformats(
     curve: Any,
     *,
     observation: AfmObservation | None = None,
-    legs: Sequence[Leg] = ("approach", "retract"),
+    legs: Leg | Sequence[Leg] = ("approach", "retract"),
     stiffness: float | None = None,
     sensitivity: float | None = None,
     index: int | None = None,
@@ -67,8 +67,8 @@ def from_afmformats(
         ``"F(D)"``, against the height of the cantilever, which is free of the noise of the force, where there is a spring
         constant; else ``"F(d)"``, against the tip position. ``"delta(D)"`` is for a spring constant that is free or has a
         prior: the deflection is what was measured, whatever the spring constant.
-    legs : sequence of {"approach", "retract"}
-        Those to be taken; pauses never are.
+    legs : {"approach", "retract"}, or a sequence of these
+        The legs to be taken; pauses never are.
     stiffness, sensitivity : float, optional
         Spring constant in N/m and deflection sensitivity in m/V, where the file has none or wrong ones; for files only.
     index : int, optional
@@ -116,6 +116,7 @@ def from_afmformats(
         observation = "F(d)" if k is None else "F(D)"
     if observation not in ("F(D)", "delta(D)", "F(d)"):
         raise ValueError(f"observation must be 'F(D)', 'delta(D)' or 'F(d)', got {observation!r}")
+    legs = (legs,) if isinstance(legs, str) else tuple(legs)
     if unknown := [leg for leg in legs if leg not in _SEGMENTS.values()]:
         raise ValueError(f"legs are 'approach' and 'retract', got {unknown[0]!r}")
     if observation != "F(d)" and k is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
@@ -12,7 +13,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._errors import DomainError
+from ._errors import DomainError, SceneError
 from ._media import Medium
 from ._numbers import Floats, Number, array, double, exact, plain, positive, row, shaped
 
@@ -367,7 +368,7 @@ class Table(Profile):
         radii, heights = row(r, "r"), row(f, "f")
         if radii.shape != heights.shape:
             raise ValueError(f"r and f differ in length: {len(radii)} and {len(heights)}")
-        _check_rows(radii, heights)
+        _check_rows(radii, heights, has_tip=offset is not None or smooth is not None)
         rows = zip(radii.tolist(), heights.tolist())
         self._set("r,f\n" + "".join(f"{one!r},{other!r}\n" for one, other in rows), offset, smooth)
 
@@ -402,8 +403,11 @@ class Table(Profile):
         return f"<Table of {self.csv.count(chr(10)) - 1} rows>"
 
 
-def _check_rows(radii: Floats, heights: Floats) -> None:
-    """Refuses what is no measured profile, by the first row at fault; rows count from 0, as those of an array."""
+def _check_rows(radii: Floats, heights: Floats, has_tip: bool) -> None:
+    """Refuses what is no measured profile, by the first row at fault; rows count from 0, as those of an array.
+
+    `has_tip` says that the height of the tip is given, or that of the smooth rows.
+    """
     if len(radii) < _ROWS:
         requirement = f"{_ROWS} or more"
         raise DomainError(f"the rows of r and f must be {requirement}, got {len(radii)}", "rows", str(len(radii)), requirement)
@@ -411,6 +415,10 @@ def _check_rows(radii: Floats, heights: Floats) -> None:
     rising[0], rising[1:] = radii[0] >= 0, radii[1:] > radii[:-1]
     good = np.isfinite(radii) & np.isfinite(heights) & rising
     if good.all():
+        if radii[0] == 0 and heights[0] != 0 and not has_tip:
+            requirement = "zero at the tip, r[0] = 0, unless there is an offset"
+            message = f"f[0] must be {requirement}, got {heights[0]}: offset={heights[0]} subtracts it from every height"
+            raise DomainError(message, "f[0]", str(heights[0]), requirement)
         return
     at = int(np.argmin(good))
     for name, column in (("r", radii), ("f", heights)):
@@ -425,6 +433,15 @@ def _table(csv: str, offset: Number | None, smooth: Number | None) -> Table:
     table = Table.__new__(Table)
     table._set(csv, offset, smooth)
     return table
+
+
+def scene_text(scene: Any, files: Files) -> str:
+    """A scene as JSON; one that is nested deeper than Python follows is refused as a deep file is."""
+    try:
+        return json.dumps(scene_of(scene, files))
+    except RecursionError:
+        message = "the scene is nested deeper than 64 levels of tables and lists; a sum may have all its terms in one list"
+        raise SceneError(message, None, None, "the scene") from None
 
 
 def scene_of(value: Any, files: Files, key: str = "the scene") -> Any:

@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeAlias, Union, final
 
 from . import _core
 from ._numbers import digits_of
-from ._profiles import Files, scene_of
+from ._profiles import Files, scene_text
 from ._states import html_table
 
 File: TypeAlias = Union[str, "os.PathLike[str]"]
@@ -172,7 +172,7 @@ def solve(scene: Mapping[str, Any] | File, *, digits: int | None = None, f64: bo
     if isinstance(scene, str):
         scene = scene.removeprefix("\ufeff")
     if isinstance(scene, Mapping):
-        form, text = "json", json.dumps(scene_of(scene, files))
+        form, text = "json", scene_text(scene, files)
     elif isinstance(scene, str) and scene.lstrip().startswith("{"):
         form, text = "json", scene
     elif isinstance(scene, str) and "\n" in scene:
