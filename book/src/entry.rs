@@ -37,12 +37,8 @@ pub(crate) fn badge(verdict: &str) -> Markup {
 /// checked one and no step is weaker than a proof.
 pub(crate) fn standing(entry: &Entry) -> Verdict {
     let weakest = entry.weakest();
-    let theorem = entry.theorems().next().is_some() && weakest <= Verdict::Enclosed;
-    if theorem || (weakest == Verdict::Definition && entry.theorems().next().is_some()) {
-        Verdict::Theorem
-    } else {
-        weakest
-    }
+    let is_proved = weakest <= Verdict::Enclosed || weakest == Verdict::Definition;
+    if is_proved && entry.theorems().next().is_some() { Verdict::Theorem } else { weakest }
 }
 
 /// The badges of an entry: one with a correction is refuted as printed, and proved as corrected.
