@@ -4,7 +4,7 @@
 //! npx quicktype@26.0.0 --src-lang schema docs/reference/record.schema.json --lang rust --top-level Record
 //! ```
 
-#![allow(missing_docs, dead_code, reason = "generated; not every field is read")]
+#![allow(missing_docs, dead_code, unreachable_pub, clippy::all, reason = "generated; not every field is read")]
 #![cfg_attr(rustfmt, rustfmt_skip)]
 
 use serde::{Serialize, Deserialize};
