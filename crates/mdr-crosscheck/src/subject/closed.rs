@@ -412,7 +412,7 @@ fn wave_numbers<R>(state: WaveState<R>) -> State<R> {
     State { contact_radius: state.angle, indentation: state.mean_gap, force: state.pressure }
 }
 
-/// The error of a check that asks for a state that is not there.
+/// The error of a check whose state does not exist.
 fn missing<R: Real>(at: &R) -> Error {
     Error::no_equilibrium(Quantity::Force, at)
 }

@@ -21,7 +21,7 @@ pub enum Accuracy {
     },
 }
 
-/// An error known to fewer digits than this is told as a bound.
+/// An error known to fewer digits than this is reported as a bound.
 const RESOLUTION: f64 = 0.05;
 
 impl Accuracy {

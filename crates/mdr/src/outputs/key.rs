@@ -19,7 +19,7 @@ pub(crate) type Reader = fn(&InputValue<'_>, SiUnit) -> Result<Literal>;
 pub(crate) enum Key {
     /// `at` in the table of the output: radii, in m.
     Radii(Reader),
-    /// `at` in the table of the output: values of the controlled quantity. Other outputs at states have them, too.
+    /// `at` in the table of the output: values of the controlled quantity. Other outputs at states also have them.
     Values,
     /// `range` in the table of the output: two ascending contact radii.
     Range,

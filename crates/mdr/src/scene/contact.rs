@@ -1,5 +1,5 @@
 //! The contact of a scene in one arithmetic: the profile transformed for its medium, the medium, the adhesion at the edge, and the
-//! control. Everything that asks for a state of a scene begins here.
+//! control. Every state of a scene is computed from it.
 
 use std::sync::Arc;
 

@@ -198,7 +198,7 @@ pub(crate) fn drawn_between<T>(
     draw(&model, [&advancing, &receding]).map_err(|error| solver.complaint(&Want::Path, error))
 }
 
-/// A scene in the arithmetic that it asks for.
+/// A scene in its arithmetic.
 struct Solver<'s> {
     scene: &'s Scene,
     counts: &'s Counts,

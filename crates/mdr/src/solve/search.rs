@@ -97,7 +97,7 @@ impl<'s> Search<'s> {
         self.scene.wants.iter().flat_map(|want| want.room().visited(self)).collect()
     }
 
-    /// Whether the search for folds found them all, as far as it knows.
+    /// Whether the search for folds found them all; no proof.
     ///
     /// # Errors
     /// Errors of the transform at a fold; see [`folds::find`].

@@ -129,7 +129,7 @@ enum Found {
     Minimum,
     /// A smaller cell may tell.
     Halve,
-    /// The profile falls to its end: no smaller cell tells.
+    /// The profile falls to its end: a smaller cell shows no more.
     Open,
 }
 
