@@ -318,3 +318,15 @@ fn a_batch_answers_every_line() {
     assert!(answers.lines().nth(1).unwrap().contains("unknown key `q`"), "{answers}");
     mdr("critical --batch no-such-file").assert().code(2);
 }
+
+/// A control that was not asked for is named where the answer begins, and what another would give where it ends.
+#[test]
+fn the_control_that_was_taken_is_said_first() {
+    let question = "critical --sphere 1 --e-star 1 --work 1";
+    let answer = crate::output(question);
+    let first = answer.lines().next().unwrap_or_default();
+    assert!(first.contains("controlled indentation (no --control is given)"), "{first}");
+    assert!(answer.contains("Under a dead load: F = -4.71"), "{answer}");
+    let asked = crate::output(&format!("{question} --control indentation"));
+    assert!(asked.lines().next().is_some_and(|first| !first.contains("--control")), "{asked}");
+}

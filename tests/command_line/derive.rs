@@ -100,3 +100,10 @@ fn an_unknown_id_has_a_nearest_one() {
     }
     mdr("derive 1.15 --errata").assert().code(2).stdout_eq("");
 }
+
+/// The short names of theories find them, as their authors do.
+#[test]
+fn a_theory_is_found_by_the_letters_of_its_authors() {
+    let found = output("derive JKR");
+    assert!(found.contains("1.15") && found == output("derive jkr"), "{found}");
+}

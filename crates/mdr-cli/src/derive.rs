@@ -109,6 +109,12 @@ fn find(id: &str) -> Result<Vec<&'static Entry>> {
 /// The entries that have a text of three letters at least between the ends of words, in capitals or not.
 fn search(text: &str) -> Vec<&'static Entry> {
     let wanted = text.trim().to_lowercase();
+    // What everybody calls a theory by, and no step does.
+    let wanted = match wanted.as_str() {
+        "jkr" => "johnson, kendall".to_owned(),
+        "dmt" => "derjaguin".to_owned(),
+        _ => wanted,
+    };
     if wanted.chars().filter(|c| c.is_alphabetic()).count() < 3 {
         return Vec::new();
     }

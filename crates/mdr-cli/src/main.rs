@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 
 mod cite;
+mod columns;
 mod converter;
 mod critical;
 mod derive;

@@ -6,6 +6,7 @@ use clap::ValueEnum;
 use serde::Serialize;
 
 use crate::error::{Failure, Result};
+use crate::table::terminal_width;
 
 /// The shape of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -19,23 +20,30 @@ pub(crate) enum Format {
 }
 
 /// A writer that goes on when the reader has closed the pipe: the result of a command still decides its exit status.
-pub(crate) struct Output<W>(W);
+pub(crate) struct Output<W> {
+    to: W,
+    /// The columns of the terminal, between which sentences are broken; none elsewhere.
+    width: Option<usize>,
+}
 
 impl Output<io::StdoutLock<'static>> {
     pub(crate) fn stdout() -> Self {
-        Output(io::stdout().lock())
+        Output { to: io::stdout().lock(), width: terminal_width() }
     }
 }
 
 impl<W: Write> Output<W> {
     /// Any other writer.
     pub(crate) fn new(writer: W) -> Self {
-        Output(writer)
+        Output { to: writer, width: None }
     }
 
     /// One line of text, or several.
     pub(crate) fn text(&mut self, text: impl std::fmt::Display) -> Result<()> {
-        self.finish(|out| writeln!(out, "{text}"))
+        match self.width {
+            Some(width) => self.finish(|out| writeln!(out, "{}", wrapped(&text.to_string(), width))),
+            None => self.finish(|out| writeln!(out, "{text}")),
+        }
     }
 
     /// Bytes that need no formatting.
@@ -98,16 +106,57 @@ impl<W: Write> Output<W> {
 
 impl<W: Write> Write for Output<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match self.0.write(bytes) {
+        match self.to.write(bytes) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(bytes.len()),
             result => result,
         }
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        match self.0.flush() {
+        match self.to.flush() {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             result => result,
         }
+    }
+}
+
+/// Lines longer than `width` broken between words, the rest with the indentation of the line; lines of tables stay.
+fn wrapped(text: &str, width: usize) -> String {
+    let is_table = |line: &str| line.contains('\u{1b}') || line.starts_with(['│', '┌', '╞', '└', '╪', '├']);
+    let mut wrapped = Vec::new();
+    for line in text.split('\n') {
+        if line.chars().count() <= width || is_table(line) {
+            wrapped.push(line.to_owned());
+            continue;
+        }
+        let indent = line.chars().take_while(|letter| *letter == ' ').count().min(width / 2);
+        let mut row = " ".repeat(indent);
+        for word in line.split_whitespace() {
+            let is_first = row.trim_start().is_empty();
+            if !is_first && row.chars().count() + 1 + word.chars().count() > width {
+                wrapped.push(std::mem::replace(&mut row, " ".repeat(indent)));
+                row.push_str(word);
+            } else {
+                if !is_first {
+                    row.push(' ');
+                }
+                row.push_str(word);
+            }
+        }
+        wrapped.push(row);
+    }
+    wrapped.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sentences_are_broken_between_words_and_tables_are_not() {
+        assert_eq!(wrapped("  one two three", 10), "  one two\n  three");
+        assert_eq!(wrapped("short\n\nlines", 10), "short\n\nlines");
+        assert_eq!(wrapped("│ one two three │", 10), "│ one two three │");
+        assert_eq!(wrapped("unbreakable-word then", 10), "unbreakable-word\nthen");
     }
 }

@@ -1,8 +1,10 @@
-//! How far a long computation is, on standard error where that is a terminal.
+//! How far a long computation is, on standard error where that is a terminal that can take a line back.
 
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressFinish, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
+
+use crate::table::is_dumb;
 
 /// A bar that fills up, with the current task and its duration.
 pub(crate) fn bar(total: usize) -> ProgressBar {
@@ -18,6 +20,9 @@ pub(crate) fn spinner(what: &'static str) -> ProgressBar {
 
 /// A bar that leaves nothing behind, even if its task fails.
 fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
+    if is_dumb() {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+    }
     let bar = bar.with_finish(ProgressFinish::AndClear);
     match ProgressStyle::with_template(template) {
         Ok(style) => bar.with_style(style),

@@ -39,20 +39,36 @@ pub(crate) fn cell(content: impl ToString, tone: CellStyle) -> Cell {
     }
 }
 
-/// An empty table: framed and fitted to a terminal, in colour unless NO_COLOR is set (<https://no-color.org>); bare
-/// columns of text elsewhere.
+/// The columns of the terminal that reads standard output; none where that is a file or a pipe.
+pub(crate) fn terminal_width() -> Option<usize> {
+    if !std::io::stdout().is_terminal() {
+        return None;
+    }
+    // Terminals without a window have no width to tell; some say 0.
+    Some(Table::new().width().filter(|width| *width > 0).map_or(120, usize::from))
+}
+
+/// Whether a terminal shows no colours: NO_COLOR is set (<https://no-color.org>), or it is one without.
+fn is_without_colours() -> bool {
+    std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty()) || is_dumb()
+}
+
+/// Whether the terminal says that it can only write lines.
+pub(crate) fn is_dumb() -> bool {
+    std::env::var_os("TERM").is_some_and(|value| value == "dumb")
+}
+
+/// An empty table: framed and fitted to a terminal, in colour unless it has none; bare columns of text elsewhere.
 pub(crate) fn table(header: &[impl std::fmt::Display]) -> Table {
     let mut table = Table::new();
     table.set_header(header.iter().map(|title| cell(title, CellStyle::Strong)));
-    if !std::io::stdout().is_terminal() {
+    let Some(width) = terminal_width() else {
         table.load_style(NOTHING).force_no_tty();
         return table;
-    }
+    };
     table.load_style(UTF8_BORDERS_ONLY).set_content_arrangement(ContentArrangement::Dynamic);
-    // Terminals without a window have no width to tell; some say 0.
-    let width = table.width().filter(|width| *width > 0).unwrap_or(120);
-    table.set_width(width);
-    if std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty()) {
+    table.set_width(u16::try_from(width).unwrap_or(u16::MAX));
+    if is_without_colours() {
         table.force_no_tty();
     }
     table
@@ -65,11 +81,13 @@ pub(crate) fn text_table(header: &[impl std::fmt::Display], rows: impl IntoItera
 
 /// The text of a table whose cells stay in one piece: where it is wider than the terminal, one cell a line.
 pub(crate) fn render_whole(table: &Table) -> String {
+    if fits(table) { render(table) } else { vertical(table) }
+}
+
+/// Whether a terminal has room for a table whose cells stay in one piece.
+pub(crate) fn fits(table: &Table) -> bool {
     let natural: usize = table.column_max_content_widths().iter().map(|width| usize::from(*width) + 3).sum();
-    match table.width() {
-        Some(width) if natural >= usize::from(width) => vertical(table),
-        _ => render(table),
-    }
+    table.width().is_none_or(|width| natural < usize::from(width))
 }
 
 /// One cell a line with its title, a blank line between rows; empty cells are left out.

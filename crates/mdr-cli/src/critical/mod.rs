@@ -49,9 +49,9 @@ pub(crate) struct Critical {
     #[arg(long, value_name = "W", allow_hyphen_values = true, required_unless_present = "batch")]
     work: Option<String>,
 
-    /// Controlled quantity while the contact finds its radius
-    #[arg(long, value_enum, default_value_t = ControlKind::Indentation)]
-    control: ControlKind,
+    /// Controlled quantity while the contact finds its radius [default: indentation]
+    #[arg(long, value_enum)]
+    control: Option<ControlKind>,
 
     /// Stiffness k > 0 of the machine, in N/m or with a unit (40mN/m); with --control machine
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
@@ -108,7 +108,7 @@ impl Critical {
             (Format::Table, [one]) => one.sibling().map_err(Failure::of_flag)?,
             _ => None,
         };
-        render::write(&answers, sibling.as_ref(), self.format, &style, out).map(|()| true)
+        render::write(&answers, sibling.as_ref(), self.control.is_none(), self.format, &style, out).map(|()| true)
     }
 
     fn laws(&self, arithmetic: Arithmetic) -> Result<Vec<PowerLaw>> {
@@ -146,7 +146,7 @@ impl Critical {
     }
 
     fn controlled(&self) -> Result<Control<Literal>> {
-        match (self.control, Flag::given("--stiffness", &self.stiffness)) {
+        match (self.control.unwrap_or(ControlKind::Indentation), Flag::given("--stiffness", &self.stiffness)) {
             (ControlKind::Machine, Some(flag)) => {
                 Ok(Control::Machine { stiffness: flag.positive(SiUnit::NewtonPerMetre)? })
             }

@@ -9,10 +9,12 @@ use crate::output::{Format, Output};
 use crate::table::{CellStyle, cell, render, table, text_table};
 use crate::validity;
 
-/// Writes answers in the `format` asked for; a single one for a reader with its sibling under the other control.
+/// Writes answers in the `format` asked for; a single one for a reader with its sibling under the other control, and with the
+/// control that was assumed where none is given.
 pub(crate) fn write(
     answers: &[CriticalAnswer],
     sibling: Option<&CriticalAnswer>,
+    assumed: bool,
     format: Format,
     style: &NumberStyle,
     out: &mut Output<impl std::io::Write>,
@@ -21,7 +23,7 @@ pub(crate) fn write(
         (Format::Json, _) => answers.iter().try_for_each(|answer| out.json(answer)),
         (Format::Csv, _) => out.spreadsheet(&spreadsheet(answers)),
         (Format::Table, [one]) => {
-            let mut text = for_reader(one, style);
+            let mut text = for_reader(one, assumed, style);
             let sibling = sibling.and_then(|sibling| sibling.sentence(style)).map(|line| format!("\n{line}"));
             let validity = one.validity.as_ref().map(|validity| format!("\n\n{}", validity::text(validity, style)));
             text.extend(sibling.into_iter().chain(validity));
@@ -34,7 +36,7 @@ pub(crate) fn write(
     }
 }
 
-fn for_reader(answer: &CriticalAnswer, style: &NumberStyle) -> String {
+fn for_reader(answer: &CriticalAnswer, assumed: bool, style: &NumberStyle) -> String {
     let mut table = table(&["quantity", "value", "unit"]);
     let kappa = style.number(&answer.kappa.to_string(), "");
     table.add_row([cell("kappa_n", CellStyle::Plain), cell(kappa, CellStyle::Good), cell("", CellStyle::Faint)]);
@@ -47,5 +49,9 @@ fn for_reader(answer: &CriticalAnswer, style: &NumberStyle) -> String {
         let text = value.map_or("none".to_owned(), |value| style.value(value, unit));
         table.add_row([cell(name, CellStyle::Plain), cell(text, tone), cell(style.unit(unit), CellStyle::Faint)]);
     }
-    format!("{}\n\n{}\n\n{}", answer.heading(), render(&table), answer.explanation())
+    let mut heading = answer.heading();
+    if assumed {
+        heading = heading.replacen("controlled indentation", "controlled indentation (no --control is given)", 1);
+    }
+    format!("{heading}\n\n{}\n\n{}", render(&table), answer.explanation())
 }

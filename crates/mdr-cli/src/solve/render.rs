@@ -2,12 +2,14 @@
 
 use std::path::Path;
 
-use mdr::answer::{FlatCell, FlatRow, NumberStyle, columns, described, find};
+use comfy_table::{Cell, Table};
+use mdr::answer::{FlatCell, FlatRow, Notation, NumberStyle, Units, columns, described, find};
 use mdr::prelude::*;
 
+use crate::columns::shortened;
 use crate::error::Result;
 use crate::output::{Format, Output as Out};
-use crate::table::{CellStyle, cell, render_whole, table, tone};
+use crate::table::{CellStyle, cell, fits, render_whole, table, tone};
 use crate::{files, validity};
 
 /// Writes `answer` in the `format` asked for.
@@ -63,7 +65,51 @@ fn table_of(answer: &Answer, output: &Output, rows: &[FlatRow], style: &NumberSt
             None => cell("", CellStyle::Plain),
         }));
     }
-    render_whole(&table)
+    if fits(&table) {
+        return render_whole(&table);
+    }
+    let short = short_table(answer, output, rows, style).filter(fits);
+    short.map_or_else(|| render_whole(&table), |short| format!("{}\n\n{SHORTENED}", render_whole(&short)))
+}
+
+const SHORTENED: &str =
+    "Six digits, to fit the terminal, and no column of statuses that are all ok; --format csv has all.";
+
+/// The table with six digits of each number, and one notation in each column; for the layout of digits that a terminal has unless
+/// another is asked for.
+fn short_table(answer: &Answer, output: &Output, rows: &[FlatRow], style: &NumberStyle) -> Option<Table> {
+    let is_default = style.notation == Notation::Engineering && style.units == Units::default();
+    let mut titles = Vec::new();
+    let mut cells: Vec<Vec<Cell>> = vec![Vec::new(); rows.len()];
+    for key in columns(rows).into_iter().filter(|_| is_default) {
+        let (name, unit) = answer.title(output, &key);
+        let found: Vec<Option<&FlatCell>> = rows.iter().map(|row| find(row, &key)).collect();
+        if found.iter().all(|found| matches!(found, Some(FlatCell::Status(Status::Ok)))) {
+            continue;
+        }
+        let number = |found: &Option<&'_ FlatCell>| match found {
+            Some(FlatCell::Number(text) | FlatCell::Text(text)) => {
+                text.parse::<f64>().is_ok().then(|| text.to_string())
+            }
+            _ => None,
+        };
+        let numbers: Vec<String> = found.iter().filter_map(number).collect();
+        let numbers: Vec<&str> = numbers.iter().map(String::as_str).collect();
+        let (short, unit) = shortened(&numbers, unit)?;
+        let mut short = short.into_iter();
+        // Names are longer than numbers of six digits: each word has its line.
+        titles.push(style.titled(name, &unit).replace(' ', "\n"));
+        for (row, found) in cells.iter_mut().zip(&found) {
+            row.push(match (number(found), found) {
+                (Some(_), Some(of)) => cell(short.next().unwrap_or_default(), tone(of)),
+                (None, Some(of)) => cell(style.cell(of, &unit), tone(of)),
+                (_, None) => cell("", CellStyle::Plain),
+            });
+        }
+    }
+    let mut table = table(&titles);
+    table.add_rows(cells);
+    is_default.then_some(table)
 }
 
 /// One file an output in `folder`: the inputs of the scene, a column each, then its columns with their units. The files are
