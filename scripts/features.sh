@@ -13,10 +13,12 @@ mdr-core
 mdr-core mp
 mdr-analytic
 mdr-analytic mp
+mdr-analytic small
 mdr-numeric
 mdr-numeric mp
 mdr-contact
 mdr-contact toml
+mdr-contact small,toml
 mdr-contact serde
 mdr-contact mp
 mdr-contact mp,toml

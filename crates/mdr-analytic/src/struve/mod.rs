@@ -12,7 +12,11 @@ mod enclosure;
 #[path = "../../data/struve.rs"]
 mod table;
 
+#[cfg(feature = "small")]
+use libm::{y0, y1};
 use mdr_core::number::{Dual, Real, Special};
+#[cfg(not(feature = "small"))]
+use pxfm::{f_y0 as y0, f_y1 as y1};
 
 /// The Struve functions of order 0 and 1, for z ≥ 0.
 ///
@@ -73,7 +77,7 @@ impl Struve for f64 {
         if *self < FAR {
             return power_series(self, *self, 0).0 * std::f64::consts::FRAC_2_PI;
         }
-        std::f64::consts::FRAC_2_PI * chebyshev(&table::K0, FAR / self) / self + pxfm::f_y0(*self)
+        std::f64::consts::FRAC_2_PI * chebyshev(&table::K0, FAR / self) / self + y0(*self)
     }
 
     fn struve_h1(&self) -> f64 {
@@ -81,7 +85,7 @@ impl Struve for f64 {
             return power_series(self, self * self / 3.0, 1).0 * std::f64::consts::FRAC_2_PI;
         }
         let decaying = chebyshev(&table::K1, FAR / self) / (self * self);
-        std::f64::consts::FRAC_2_PI * (1.0 + decaying) + pxfm::f_y1(*self)
+        std::f64::consts::FRAC_2_PI * (1.0 + decaying) + y1(*self)
     }
 }
 
