@@ -380,3 +380,27 @@ fn a_sphere_close_to_its_equator() {
         }
     }
 }
+
+/// A height whose slope is not bounded.
+struct Bent(f64);
+
+impl Transform<Dual<f64>> for Bent {
+    fn g(&self, _: &Dual<f64>) -> Result<Dual<f64>> {
+        Ok(Dual { value: self.0, slope: f64::INFINITY })
+    }
+    fn slope(&self, x: &Dual<f64>) -> Result<Dual<f64>> {
+        self.g(x)
+    }
+    fn integral(&self, x: &Dual<f64>) -> Result<Dual<f64>> {
+        self.g(x)
+    }
+}
+
+/// Where terms have values and no bounded slopes, the sum has the sum of all values.
+#[test]
+fn sums_of_values_without_slopes() {
+    let sum = Sum::new(vec![Box::new(Bent(1.0)), Box::new(Bent(2.0))]);
+    let g = sum.g(&Dual::variable(1.0)).unwrap();
+    assert_eq!(g.value, 3.0);
+    assert!(!g.slope.is_finite());
+}

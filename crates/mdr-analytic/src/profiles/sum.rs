@@ -31,20 +31,28 @@ impl<R: Special> Sum<R> {
 
     /// The sum if a term is out of range: that of the others if they outweigh it, else [`Error::OutOfRange`]. Its log₁₀
     /// is known if one term outweighs all others, and infinite otherwise, because a term out of range has an unknown
-    /// sign.
+    /// sign. Where a term is not bounded neither is the sum; but a number with a slope may have a value in spite of that, which is
+    /// the sum of all values.
     #[cold]
     fn beyond(&self, x: &R, quantity: Quantity, part: impl Fn(&dyn Transform<R>) -> Result<R>) -> Result<R> {
         /// The decades by which a term must exceed the others to equal the sum in double precision.
         const AHEAD: f64 = 17.0;
         let mut sum = x.lit(0);
+        let mut is_bounded = true;
         let (mut most, mut next) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         for term in &self.terms {
             match part(term.as_ref()) {
-                Ok(value) if value.is_finite() => sum += &value,
-                Ok(unbounded) => return Ok(unbounded),
+                Ok(value) => {
+                    is_bounded &= value.is_finite();
+                    sum += &value;
+                }
                 Err(Error::OutOfRange { log10, .. }) => (most, next) = (most.max(log10), next.max(most.min(log10))),
                 Err(error) => return Err(error),
             }
+        }
+        if !is_bounded {
+            let is_known = most == f64::NEG_INFINITY;
+            return if is_known { Ok(sum) } else { Err(Error::OutOfRange { quantity, log10: f64::INFINITY }) };
         }
         let log10 = sum.abs().ln().approx() / std::f64::consts::LN_10;
         let ahead = f64::from(x.precision()) * std::f64::consts::LOG10_2;
