@@ -8,7 +8,7 @@ use mdr_core::contact::{Control, Error, Expression, FoldKind, Material, Transfor
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::proof::EnclosedCurve;
-use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes, Quadrature};
+use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes, Quadrature, Weighted};
 use proptest::prelude::*;
 use rug::Float;
 
@@ -208,4 +208,121 @@ fn folds_of_a_kinked_formula_are_proved() {
     let share: f64 = 0.1 / beyond;
     let slope = 2.0 * beyond - 0.1 * share.acos() - 0.1 * share / (1.0 - share * share).sqrt();
     assert!((kink - 0.1).abs() < 1e-16 && slope.abs() < 1e-5, "{folds:?} {slope}");
+}
+
+/// A formula on a medium, over enclosures and over numbers of many bits: by another variable of integration and another rule.
+fn on_medium(formula: &str, [kind, value]: [&str; 2], bits: u32) -> (Enclosed, impl Transform<Float> + use<>) {
+    let (formula, none) = (formula.parse::<Expression>().unwrap(), Default::default());
+    let (precision, fine) = (Precision::new(bits), Precision::new(200));
+    let breaks = formula.breaks(&none).unwrap();
+    let bound = formula.enclosed(&none, &breaks, precision).unwrap();
+    let heights = formula.bind::<Float>(fine, &none).unwrap().broken_at(fine, &breaks);
+    let literal: Literal = value.parse().unwrap();
+    let (tight, wide) = (Interval::from_literal(precision, &literal), Float::from_literal(fine, &literal));
+    match kind {
+        "graded" => (Enclosed::graded(bound, precision, tight), Weighted::graded(heights, wide)),
+        "winkler" => (Enclosed::winkler(bound, precision), Weighted::winkler(heights, wide)),
+        _ => (Enclosed::line(bound, precision, Some(tight)), Weighted::line(heights, Some(wide.clone()), wide)),
+    }
+}
+
+const MEDIA: [[&str; 2]; 6] =
+    [["graded", "0.3"], ["graded", "-0.6"], ["graded", "0.9"], ["graded", "-0.95"], ["winkler", "1"], ["line", "3"]];
+
+/// g, g', g'' and the mean on other media; at few bits a term that is left out shows.
+#[test]
+fn enclosures_on_media_hold_quadratures() {
+    let formulas =
+        ["sqrt(r^2 + 0.04) - 0.2", "r^2/2 + 0.3*max(0, r - 0.2)", "min(r, 0.3)^2/0.6 + max(r - 0.3, 0)", "r^1.5"];
+    for formula in formulas {
+        for medium in MEDIA {
+            let is_rough = formula.ends_with("1.5");
+            let (enclosed, quadrature) = on_medium(formula, medium, if is_rough { 60 } else { 100 });
+            let slopes = EnclosedWithSlopes::new(enclosed.clone());
+            for x in [0.1, 0.25, 0.7] {
+                let at = |x: f64| Float::with_val(200, x);
+                let radius = Interval::from_f64(Precision::new(if is_rough { 60 } else { 100 }), x);
+                let moving = Dual::variable(radius.clone());
+                // A difference of g' of 200 bits over a distance of 60: half of its digits are of g''.
+                let h = Float::with_val(200, Float::i_exp(1, -60));
+                let [below, above] = [-1, 1].map(|side| quadrature.slope(&(at(x) + h.clone() * side)).unwrap());
+                let bend = (above - below) / (h * 2u32);
+                let pairs = [
+                    ("g", enclosed.g(&radius).unwrap(), quadrature.g(&at(x)).unwrap(), 0),
+                    ("g'", enclosed.slope(&radius).unwrap(), quadrature.slope(&at(x)).unwrap(), 0),
+                    ("mean", enclosed.mean(&radius).unwrap(), quadrature.mean(&at(x)).unwrap(), 0),
+                    ("g''", slopes.slope(&moving).unwrap().slope, bend, 70),
+                ];
+                for (name, found, expected, spared) in pairs {
+                    let error =
+                        Interval::point(expected.clone().abs() * Float::with_val(64, Float::i_exp(1, spared - 150)));
+                    let near = Interval::point(expected.clone()).inflate(&error);
+                    assert!(found.overlaps(&near), "{formula} {medium:?} {name}({x}): {found:?} {expected}");
+                    let bits = if is_rough { 20 } else { 60 };
+                    let is_zero = expected.is_zero() || formula.starts_with("min") && x < 0.3 && name == "g''";
+                    assert!(is_zero || found.accuracy_bits() > bits, "{formula} {medium:?} {name}({x}): {found:?}");
+                }
+                let mean = slopes.mean(&moving).unwrap();
+                let [below, above] = [-1, 1].map(|side| {
+                    let h = Float::with_val(200, Float::i_exp(side, -60));
+                    quadrature.mean(&(at(x) + h)).unwrap()
+                });
+                let change = (above - below) / Float::with_val(200, Float::i_exp(2, -60));
+                let error = Interval::point(change.clone().abs() * Float::with_val(64, Float::i_exp(1, -80)));
+                assert!(
+                    mean.slope.overlaps(&Interval::point(change).inflate(&error)),
+                    "{formula} {medium:?} mean'({x})"
+                );
+            }
+        }
+    }
+}
+
+/// Over intervals of radii, narrow and wide, enclosures hold what they hold at the radii within.
+#[test]
+fn wide_enclosures_on_media() {
+    for formula in ["sqrt(r^2 + 0.04) - 0.2", "r^2/2 + 0.3*max(0, r - 0.2)"] {
+        for medium in MEDIA {
+            let (enclosed, _) = on_medium(formula, medium, 100);
+            let slopes = EnclosedWithSlopes::new(enclosed.clone());
+            for (from, to) in [(0.25, 0.2501), (0.15, 0.26), (0.25, 0.4), (0.02, 0.9)] {
+                let [low, high] = [from, to].map(|x| Interval::from_f64(Precision::new(100), x));
+                let all = low.hull(&high);
+                let (slope, moving) =
+                    (enclosed.slope(&all).unwrap(), slopes.slope(&Dual::variable(all.clone())).unwrap());
+                for share in 0..=6 {
+                    let x = low.clone() + (high.clone() - &low).times(share).over(6);
+                    let one = enclosed.slope(&x).unwrap();
+                    let one_moving = slopes.slope(&Dual::variable(x.clone())).unwrap();
+                    assert!(one.overlaps(&slope) && one.overlaps(&moving.value), "{formula} {medium:?} {from}");
+                    assert!(one_moving.slope.overlaps(&moving.slope), "{formula} {medium:?} {from}");
+                    assert!(enclosed.g(&x).unwrap().overlaps(&enclosed.g(&all).unwrap()), "{formula} {medium:?}");
+                }
+                if from == 0.25 {
+                    assert!(slope.is_finite(), "{formula} {medium:?}");
+                }
+            }
+        }
+    }
+}
+
+/// The mean of N against a reference is the integral it is defined by.
+#[test]
+fn the_mean_against_a_reference_is_its_integral() {
+    use mdr_core::calculus::quadrature::tanh_sinh;
+    for formula in ["sqrt(r^2 + 0.04) - 0.2", "r^2/2"] {
+        let (_, quadrature) = on_medium(formula, ["line", "3"], 100);
+        for b in [0.1_f64, 0.7, 2.9] {
+            let b = Float::with_val(200, b);
+            let goal = Float::with_val(200, Float::i_exp(1, -90));
+            let integral = tanh_sinh(&Float::new(200), &b, &goal, |c| {
+                let share = c.clone() / 3u32;
+                Ok(quadrature.g(c)? / c / Float::with_val(200, 1u32 - share.square()).sqrt())
+            });
+            let expected = integral.unwrap().value * 2u32 / Real::pi(&b);
+            let found = quadrature.mean(&b).unwrap();
+            let error = (found.clone() - &expected) / &expected;
+            assert!(error.abs() < 1e-25, "{formula} {b}: {found} {expected}");
+        }
+    }
 }

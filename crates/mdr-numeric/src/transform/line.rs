@@ -1,7 +1,6 @@
 //! Line contacts: the load N(b) without adhesion over E* as a transformed profile.
 
-use mdr_core::calculus::{Tolerance, quadrature::tanh_sinh_pieces, roundoff_tolerance};
-use mdr_core::contact::{Error, Quantity, Result, Transform};
+use mdr_core::contact::{Error, Kink, Quantity, Result, Slopes, Transform};
 use mdr_core::number::Real;
 
 use super::Powers;
@@ -40,7 +39,8 @@ impl<R: Real> LineLoad<R> {
         LineLoad { load: Load::Powers(load), reference }
     }
 
-    /// From any N, as the g of a transform, and the distance of the reference.
+    /// From any N, as the g of a transform whose mean is that against the reference, (2/π)∫₀ᵇ N(c)/(c√(1 − c²/L²)) dc, and the
+    /// distance of the reference.
     pub fn new(load: Box<dyn Transform<R>>, reference: Option<R>) -> Self {
         LineLoad { load: Load::Other(load), reference }
     }
@@ -84,23 +84,14 @@ impl<R: Real> Transform<R> for LineLoad<R> {
         let Some(reference) = &self.reference else { return Ok(b.lit(0)) };
         self.depth_per_force(b)?;
         let weighted = match &self.load {
-            Load::Powers(powers) => powers.against_reference(b, reference)?,
-            Load::Other(load) => {
-                let tolerance =
-                    Tolerance::new(&roundoff_tolerance(b).times(4)).or_noise_below(b.unit_roundoff().sqrt());
-                let density = |c: &R| {
-                    let share = c.clone() / reference;
-                    let root = ((share.lit(1) - &share) * (share.lit(1) + &share)).sqrt();
-                    Ok(load.g(c)? / c / root)
-                };
-                tanh_sinh_pieces(&b.lit(0), b, &load.kinks(), tolerance, density)?.value
-            }
+            Load::Powers(powers) => (powers.against_reference(b, reference)? / b.pi()).times(2),
+            Load::Other(load) => load.mean(b)?,
         };
         if !weighted.is_finite() {
             let requirement = "well below the distance of the reference, as this arithmetic needs it";
             return Err(Error::domain(Quantity::ContactRadius, b, requirement));
         }
-        Ok((weighted / b.pi()).times(2))
+        Ok(weighted)
     }
 
     fn g_within(&self, b: &R, needed: &R) -> Result<R> {
@@ -132,7 +123,42 @@ impl<R: Real> Transform<R> for LineLoad<R> {
         self.load().rises()
     }
 
+    /// g' is N' times the depth per force, which falls with b.
+    fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
+        let Some(kink) = self.load().kink(index, margin)? else { return Ok(None) };
+        if self.reference.is_none() {
+            return Ok(Some(kink));
+        }
+        let place = self.load().kinks().into_iter().chain(self.load().outer_radius()).nth(index);
+        let Some(b) = place else { return Ok(None) };
+        let per_force = |end: R| self.depth_per_force(&(end * &b));
+        let (Ok(near), Ok(here), Ok(far)) =
+            (per_force(b.lit(1) - margin), per_force(b.lit(1)), per_force(margin.clone() + b.lit(1)))
+        else {
+            return Ok(None);
+        };
+        Ok(Some(Kink {
+            value: kink.value.map(|(load, mean)| (load * &here + &mean, mean)),
+            inside: scaled(kink.inside, [&here, &near]),
+            outside: scaled(kink.outside, [&far, &here]),
+        }))
+    }
+
     fn work(&self) -> u64 {
         self.load().work()
     }
+}
+
+/// The bounds of a slope times a factor between two positive ends.
+fn scaled<R: Real>(slopes: Slopes<R>, [low, high]: [&R; 2]) -> Slopes<R> {
+    let times = |bound: R| [bound.clone() * low, bound * high];
+    let least = |bound: R| {
+        let [one, other] = times(bound);
+        one.lesser(&other)
+    };
+    let greatest = |bound: R| {
+        let [one, other] = times(bound);
+        one.greater(&other)
+    };
+    Slopes { least: slopes.least.map(least), greatest: slopes.greatest.map(greatest) }
 }

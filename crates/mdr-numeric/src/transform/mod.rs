@@ -22,6 +22,7 @@ mod powers;
 mod quadrature;
 pub(crate) mod strides;
 mod wave;
+mod weight;
 mod weighted;
 
 #[cfg(feature = "mp")]

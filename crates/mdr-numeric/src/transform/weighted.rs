@@ -6,7 +6,9 @@
 //! * g(x) = J[(1 + k + D)f], x g'(x) = J[D(1 + k + D)f], and the mean of g weighted with S' is (1 + k)J[f];
 //! * on a Winkler foundation, k = 1, g = f.
 //!
-//! In v = cos^(1+k)θ the weight is 1/(1 + k). In line contact N = ∫₀^{π/2} Df dθ and bN' = ∫₀^{π/2} D²f dθ.
+//! In v = cos^(1+k)θ the weight is 1/(1 + k). In line contact N = ∫₀^{π/2} Df dθ and bN' = ∫₀^{π/2} D²f dθ, and against a reference
+//! at the distance L the mean (2/π)∫₀ᵇ N(c)/(c√(1 − c²/L²)) dc is, with the order of the integrals changed,
+//! (2/π)√(1 − b²/L²) ∫₀^{π/2} f/(1 − (b/L)² sin²θ) dθ.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -17,6 +19,7 @@ use mdr_core::contact::{Error, Profile, Quantity, Result, Transform};
 use mdr_core::number::{Dual, Special};
 
 use super::integrand::{kink_jump, second_order};
+use super::weight::Weight;
 
 /// A profile given as a function, transformed for another medium.
 ///
@@ -32,19 +35,12 @@ use super::integrand::{kink_jump, second_order};
 #[derive(Clone)]
 pub struct Weighted<R, P> {
     profile: P,
-    weight: Weight,
+    weight: Weight<R>,
     /// 1 + k; 1 for a line contact.
     order: R,
     kinks: Vec<R>,
     accepted: Option<R>,
     heights: Arc<AtomicU64>,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Weight {
-    Graded,
-    Winkler,
-    Line,
 }
 
 /// The integrands of J.
@@ -61,25 +57,26 @@ enum Part {
 }
 
 impl<R: Special, P: Profile<R>> Weighted<R, P> {
-    fn new(profile: P, weight: Weight, order: R) -> Self {
-        let kinks = profile.kinks();
+    fn new(profile: P, weight: Weight<R>, like: &R) -> Self {
+        let (kinks, order) = (profile.kinks(), weight.order(like));
         Weighted { profile, weight, order, kinks, accepted: None, heights: Arc::default() }
     }
 
     /// On a half-space graded as zᵏ, with k within (−1, 1).
     pub fn graded(profile: P, k: R) -> Self {
-        let order = k.lit(1) + k;
-        Self::new(profile, Weight::Graded, order)
+        let like = k.clone();
+        Self::new(profile, Weight::Graded(k), &like)
     }
 
     /// On a Winkler foundation; `like` has the arithmetic.
     pub fn winkler(profile: P, like: R) -> Self {
-        Self::new(profile, Weight::Winkler, like.lit(2))
+        Self::new(profile, Weight::Winkler, &like)
     }
 
-    /// In line contact, as the N of a [`LineLoad`](super::LineLoad); `like` has the arithmetic.
-    pub fn line(profile: P, like: R) -> Self {
-        Self::new(profile, Weight::Line, like.lit(1))
+    /// In line contact, as the N of a [`LineLoad`](super::LineLoad), with its mean against a reference at this distance; `like` has
+    /// the arithmetic.
+    pub fn line(profile: P, reference: Option<R>, like: R) -> Self {
+        Self::new(profile, Weight::Line(reference), &like)
     }
 
     /// Accepts a value that misses its tolerance if its estimated relative error is below `error`.
@@ -107,14 +104,14 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
     /// φ at r.
     fn at(&self, part: Part, r: &R) -> R {
         let logarithmic = || Dual { value: r.clone(), slope: r.clone() };
-        match (part, self.weight) {
+        match (part, &self.weight) {
             (Part::Height, _) => self.profile.height(r),
-            (Part::Rise, _) | (Part::Transform, Weight::Line) => self.profile.height(&logarithmic()).slope,
+            (Part::Rise, _) | (Part::Transform, Weight::Line(_)) => self.profile.height(&logarithmic()).slope,
             (Part::Transform, _) => {
                 let f = self.profile.height(&logarithmic());
                 f.value * &self.order + f.slope
             }
-            (Part::Slope, Weight::Line) => second_order(&self.profile, r).slope.slope,
+            (Part::Slope, Weight::Line(_)) => second_order(&self.profile, r).slope.slope,
             (Part::Slope, _) => {
                 let rise = second_order(&self.profile, r).slope;
                 rise.value * &self.order + rise.slope
@@ -138,6 +135,11 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         let (zero, one) = (x.lit(0), x.lit(1));
         let inner: Vec<&R> = self.kinks.iter().filter(|kink| *kink < x).collect();
         let breaks: Vec<R> = inner.iter().map(|kink| self.position(kink, x)).collect();
+        // The radius two numbers above or below the kink at a break: radii are rounded to their side of it.
+        let beside = |place: &R, side: i64| {
+            let index = breaks.iter().position(|at| at == place)?;
+            Some(x.unit_roundoff().times(2 * side) * inner[index] + inner[index])
+        };
         let goal = roundoff_tolerance(x).times(4);
         let tolerance = Tolerance::new(&goal).or_noise_below(x.unit_roundoff().sqrt()).or_error_below(needed);
         let tolerance = match &self.accepted {
@@ -146,6 +148,7 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         };
         let mut count = 0;
         let estimate = pieces(&zero, &one, &breaks, |from, to| {
+            let (least, most) = (beside(to, 1), beside(from, -1));
             tanh_sinh_near_ends(from, to, tolerance.clone(), |node| {
                 count += 1;
                 let from_lower = if *from == zero { node.from_lower.clone() } else { node.x.clone() };
@@ -155,8 +158,20 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
                 if !(sine.clone() > sine.unit_roundoff().square()) {
                     return Ok(zero.clone());
                 }
-                let height = self.at(part, &(sine.clone() * x));
-                Ok(if self.weight == Weight::Line { height / sine } else { height })
+                let radius = match (&least, &most) {
+                    (Some(least), _) if sine.clone() * x < *least => least.lesser(x),
+                    (_, Some(most)) if sine.clone() * x > *most => most.clone(),
+                    _ => sine.clone() * x,
+                };
+                let height = self.at(part, &radius);
+                Ok(match &self.weight {
+                    Weight::Line(Some(reference)) if part == Part::Height => {
+                        let share = sine.clone() * x / reference;
+                        height / sine / (one.clone() - share.square())
+                    }
+                    Weight::Line(_) => height / sine,
+                    _ => height,
+                })
             })
         });
         self.heights.fetch_add(count, Ordering::Relaxed);
@@ -166,7 +181,7 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
             }
             error => error,
         })?;
-        if self.weight != Weight::Line {
+        if !self.is_of_line() {
             estimate = estimate.scaled(&self.order.clone().inv());
         }
         if part == Part::Slope {
@@ -184,6 +199,10 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         Ok(estimate)
     }
 
+    fn is_of_line(&self) -> bool {
+        matches!(self.weight, Weight::Line(_))
+    }
+
     /// v at a kink.
     fn position(&self, kink: &R, x: &R) -> R {
         cosine(kink, x).pow(&self.order)
@@ -193,7 +212,7 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
     fn share_of_jump(&self, kink: &R, x: &R) -> R {
         let (sine, cosine) = (kink.clone() / x, cosine(kink, x));
         match self.weight {
-            Weight::Line => sine / cosine,
+            Weight::Line(_) => sine / cosine,
             _ => sine.square() * cosine.pow(&(self.order.clone() - cosine.lit(2))),
         }
     }
@@ -214,7 +233,7 @@ impl<R: Special, P: Profile<R>> Transform<R> for Weighted<R, P> {
     }
 
     fn slope(&self, x: &R) -> Result<R> {
-        if self.weight == Weight::Winkler {
+        if let Weight::Winkler = self.weight {
             self.check(x)?;
             return Ok(self.profile.height(&Dual::variable(x.clone())).slope);
         }
@@ -231,7 +250,7 @@ impl<R: Special, P: Profile<R>> Transform<R> for Weighted<R, P> {
     }
 
     fn g_within(&self, x: &R, needed: &R) -> Result<R> {
-        if self.weight == Weight::Winkler {
+        if let Weight::Winkler = self.weight {
             self.check(x)?;
             return Ok(self.profile.height(x));
         }
@@ -239,8 +258,15 @@ impl<R: Special, P: Profile<R>> Transform<R> for Weighted<R, P> {
     }
 
     fn mean_within(&self, x: &R, needed: &R) -> Result<R> {
-        match self.weight {
-            Weight::Line => Ok(x.lit(0)),
+        match &self.weight {
+            Weight::Line(None) => Ok(x.lit(0)),
+            Weight::Line(Some(reference)) => {
+                let share = x.clone() / reference;
+                let room = (share.lit(1) - &share) * (share.lit(1) + &share);
+                let factor = room.sqrt().times(2) / x.pi();
+                // What the mean needs, its integral needs over the factor.
+                Ok(self.integral(Part::Height, x, &(needed.clone() / &factor))?.value * factor)
+            }
             _ => Ok(self.integral(Part::Height, x, needed)?.value * &self.order),
         }
     }

@@ -123,6 +123,16 @@ impl EnclosedFormula {
         fewer
     }
 
+    /// The formula of a profile whose f' is known to be continuous, as where a cone is tangent to its cap: no jump of Df is left, where
+    /// enclosures of both sides cannot tell that they are the same.
+    #[must_use]
+    pub fn without_corners(mut self) -> Self {
+        for jump in self.jumps.iter_mut().flatten() {
+            jump[1] = jump[1].lit(0);
+        }
+        self
+    }
+
     /// The radius where the formula ends.
     pub fn outer_radius(&self) -> Option<&Interval> {
         self.outer.as_ref()
@@ -143,10 +153,21 @@ impl FormulaPart {
 
     /// (r f')' = f' + r f'' over a cell of radii, which may begin at 0; `None` where it is not bounded.
     pub fn stretch(&self, r: &Interval) -> Option<Interval> {
+        let [_, slope, bend] = self.derivatives(r);
+        let stretch = slope + bend * r;
+        stretch.is_finite().then_some(stretch)
+    }
+
+    /// f, f' and f'' over a cell of radii; `None` where one is not bounded.
+    pub fn slopes(&self, r: &Interval) -> Option<[Interval; 3]> {
+        let all = self.derivatives(r);
+        all.iter().all(Real::is_finite).then_some(all)
+    }
+
+    fn derivatives(&self, r: &Interval) -> [Interval; 3] {
         let tree = if r.precision() <= BOUND_BITS { &self.trees[0] } else { &self.trees[1] };
         let f = tree.value(&Dual::variable(Dual::variable(r.clone())));
-        let stretch = f.value.slope + f.slope.slope * r;
-        stretch.is_finite().then_some(stretch)
+        [f.value.value, f.value.slope, f.slope.slope]
     }
 }
 
@@ -296,9 +317,11 @@ impl Node<Interval> {
                 Node::Power(base, 2) => Some((**base).clone()),
                 _ => None,
             },
-            Node::Operation(Operator::Minimum | Operator::Maximum, a, b) => {
-                Some(Node::Operation(Operator::Subtract, a.clone(), b.clone()))
-            }
+            // max(u, 0) switches where u does, as another switch by u beside it.
+            Node::Operation(Operator::Minimum | Operator::Maximum, a, b) => Some(match &**b {
+                Node::Constant(zero) if *zero == zero.lit(0) => (**a).clone(),
+                _ => Node::Operation(Operator::Subtract, a.clone(), b.clone()),
+            }),
             _ => None,
         }
     }

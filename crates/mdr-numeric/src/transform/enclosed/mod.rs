@@ -4,28 +4,35 @@
 //! [integral](mdr_core::calculus::enclose) over t = 2θ/π. At a kink b < x of the formula each branch is integrated to its own
 //! side of an enclosure of arcsin(b/x), the hull of both over what remains; f' jumps there, and the end of the pieces moves
 //! with x, so that x g' has the further term \[Df\] T with T = b²/(x√(x² − b²)), and x²g'' the terms \[D²f\] T + \[Df\] DT.
+//!
+//! On other media the weights are others, in another variable t where that is better: see [`ray`]. On a half-space graded as zᵏ,
+//! with the weight sinθ cosᵏθ in M_k, the mean is (1 + k)M₀, g = (1 + k)M₀ + M₁, x g' = (1 + k)M₁ + M₂ and
+//! x²g'' = M₃ + kM₂ − (1 + k)M₁. On a Winkler foundation, k = 1, g = f. In line contact N = ∫Df dθ, bN' = ∫D²f dθ and
+//! b²N'' = ∫(D³f − D²f) dθ, and the mean of N against a reference L is (2/π)√(1 − b²/L²) ∫ f/(1 − (b/L)² sin²θ) dθ.
+
+mod ray;
+mod slopes;
+mod span;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use mdr_core::calculus::enclose::{BOUND_BITS, Goal, Integrand, enclose};
-use mdr_core::contact::{EnclosedFormula, Error, FormulaPart, Kink, Quantity, Result, Slopes, Transform};
-use mdr_core::number::{Analytic, Dual, Euler, Interval, Precision, Real, Special};
+use mdr_core::contact::{EnclosedFormula, Error, Kink, Quantity, Result, Slopes, Transform};
+use mdr_core::number::{Interval, Precision, Real, Special};
 use rug::Float;
-use rug::float::Round;
+
+use super::weight::Weight;
+use ray::Ray;
+pub use slopes::EnclosedWithSlopes;
+use span::{Gap, Span, gaps};
 
 /// The most pieces of an integral at one radius,
 const PIECES: usize = 400;
 /// and over an interval of radii, where too few only lead to narrower intervals.
 const PIECES_OF_INTERVAL: usize = 60;
-/// Intervals of radii that are wider than this ratio are not integrated: g' is bounded by ranges of (r f')'
-const WIDEST: f64 = 1.03125;
-/// on so many parts of the quarter circle.
+/// Over wide intervals of radii g' is bounded by ranges of (r f')' on so many parts of the quarter circle.
 const RANGES: i64 = 12;
-/// Bits by which the aim of a rule is below the size of the integral,
-const SPARE: i32 = 6;
-/// and below the width of an enclosure over an interval of radii.
-const BELOW_WIDTH: i32 = 9;
 /// Recent integrals that are kept.
 const KEPT: usize = 8;
 /// Values of the integrand after which no further integral is begun: some seconds.
@@ -50,6 +57,7 @@ const MOST: u64 = 150_000;
 #[derive(Clone)]
 pub struct Enclosed {
     formula: Arc<EnclosedFormula>,
+    weight: Weight<Interval>,
     precision: Precision,
     kept: Arc<Mutex<Vec<Kept>>>,
     heights: Arc<AtomicU64>,
@@ -76,7 +84,40 @@ enum Order {
 impl Enclosed {
     /// The transform of a formula that was bound in this precision.
     pub fn new(formula: EnclosedFormula, precision: Precision) -> Self {
-        Enclosed { formula: Arc::new(formula), precision, kept: Arc::default(), heights: Arc::default() }
+        Self::weighing(formula, precision, Weight::HalfSpace)
+    }
+
+    /// On a half-space graded as zᵏ, with k within (−1, 1).
+    ///
+    /// ```
+    /// use mdr_core::contact::{Expression, Transform};
+    /// use mdr_core::number::{Interval, Precision, Real};
+    /// use mdr_numeric::transform::Enclosed;
+    /// let (formula, none): (Expression, _) = ("r^2/2".parse()?, Default::default());
+    /// let precision = Precision::new(100);
+    /// let [half, one] = [0.5, 1.0].map(|number| Interval::from_f64(precision, number));
+    /// let formula = formula.enclosed(&none, &formula.breaks(&none)?, precision)?;
+    /// // g = x²/(R(1 + k))
+    /// let g = Enclosed::graded(formula, precision, half).g(&one)?;
+    /// assert!(g.overlaps(&one.ratio(2, 3)) && g.accuracy_bits() > 85);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn graded(formula: EnclosedFormula, precision: Precision, k: Interval) -> Self {
+        Self::weighing(formula, precision, Weight::Graded(k))
+    }
+
+    /// On a Winkler foundation, where g = f.
+    pub fn winkler(formula: EnclosedFormula, precision: Precision) -> Self {
+        Self::weighing(formula, precision, Weight::Winkler)
+    }
+
+    /// In line contact, as the N of a [`LineLoad`](super::LineLoad), with its mean against a reference at this distance.
+    pub fn line(formula: EnclosedFormula, precision: Precision, reference: Option<Interval>) -> Self {
+        Self::weighing(formula, precision, Weight::Line(reference))
+    }
+
+    fn weighing(formula: EnclosedFormula, precision: Precision, weight: Weight<Interval>) -> Self {
+        Enclosed { formula: Arc::new(formula), weight, precision, kept: Arc::default(), heights: Arc::default() }
     }
 
     /// Refuses radii that are not certainly within the formula.
@@ -119,38 +160,83 @@ impl Enclosed {
         if self.heights.load(Ordering::Relaxed) > MOST {
             return Err(unproved(x, "the integrals over the formula took too many values of it"));
         }
+        if let (Weight::Winkler, Order::Slope | Order::Curvature) = (&self.weight, order) {
+            return Ok(self.direct(x, order, breaks).unwrap_or_else(unknown));
+        }
         if span.is_for_ranges() {
             return Ok(unknown());
         }
         match self.pieces(x, order, breaks, &span) {
-            Some(values) => Ok(values.into_iter().map(|value| value.rounded(x.ctx())).collect()),
+            Some(values) => {
+                let mut values: Vec<_> = values.into_iter().map(|value| value.rounded(x.ctx())).collect();
+                if let Weight::Winkler = self.weight {
+                    let height =
+                        self.direct(x, order, breaks).ok_or_else(|| unproved(x, "the formula is not defined"))?;
+                    values.splice(1..2, height);
+                }
+                Ok(values)
+            }
             None if span.is_wide => Ok(unknown()),
             None => Err(unproved(x, "an integral over the formula takes too many pieces there")),
         }
     }
 
+    /// Without an integral, where g = f: f and its derivatives, of all parts of the formula that x meets.
+    fn direct(&self, x: &Interval, order: Order, breaks: &[Interval]) -> Option<Vec<Interval>> {
+        let first = breaks.partition_point(|b| b.upper() < x.lower());
+        let last = breaks.partition_point(|b| b.lower() <= x.upper());
+        let values = self.hull(first..=last, |index| {
+            let [f, slope, bend] = self.formula.part(index)?.slopes(x)?;
+            Some(match order {
+                Order::Value => vec![f],
+                Order::Slope => vec![slope * x],
+                Order::Curvature => vec![slope * x, bend * x.square()],
+            })
+        })?;
+        // Across a jump of f' there is no second derivative.
+        let jumps = |index: usize| self.formula.jump(index).is_none_or(|jump| jump[1] != x.lit(0));
+        let is_bent = order == Order::Curvature && (first..last).any(jumps);
+        Some(if is_bent { vec![values[0].clone(), Interval::entire(x.ctx())] } else { values })
+    }
+
     fn pieces(&self, x: &Interval, order: Order, breaks: &[Interval], span: &Span) -> Option<Vec<Interval>> {
         let precision = Precision::new(span.bits);
-        let gaps = gaps(x, breaks, precision);
+        let end = self.weight.end(span.bits);
+        let gaps = gaps(x, breaks, &self.weight, &end);
         let mut sums = vec![Interval::from_int(precision, 0); order.count()];
         let mut from = Float::new(span.bits);
-        let one = Float::with_val(span.bits, 1);
         let goal = self.goal(x, order, &gaps, span)?;
         for (index, gap) in gaps.iter().enumerate() {
-            let part = self.formula.part(if index == 0 { 0 } else { gaps[index - 1].last })?;
-            let ray = Ray { part, x, order, heights: &self.heights };
+            let ray = self.ray(if index == 0 { 0 } else { gaps[index - 1].last }, x, order)?;
             if from < gap.from {
                 add(&mut sums, &enclose(&ray, [&from, &gap.from], &goal).ok()?);
             }
             add(&mut sums, &self.across(gap, x, order, precision)?);
             from = gap.to.clone();
         }
-        let part = self.formula.part(gaps.last().map_or(0, |gap| gap.last))?;
-        if from < one {
-            let ray = Ray { part, x, order, heights: &self.heights };
-            add(&mut sums, &enclose(&ray, [&from, &one], &goal).ok()?);
+        let last = gaps.last().map_or(0, |gap| gap.last);
+        if from < end {
+            add(&mut sums, &enclose(&self.ray(last, x, order)?, [&from, &end], &goal).ok()?);
         }
+        let reached = gaps.iter().find(|gap| gap.to >= end).map_or(last, |gap| gap.first);
+        let beyond = self.hull(reached..=last, |index| self.ray(index, x, order)?.beyond(&end, precision))?;
+        add(&mut sums, &beyond);
         Some(sums)
+    }
+
+    fn ray<'a>(&'a self, part: usize, x: &'a Interval, order: Order) -> Option<Ray<'a>> {
+        Some(Ray { part: self.formula.part(part)?, x, order, weight: &self.weight, heights: &self.heights })
+    }
+
+    /// The hull of what some parts of the formula have.
+    fn hull(
+        &self,
+        parts: std::ops::RangeInclusive<usize>,
+        values: impl Fn(usize) -> Option<Vec<Interval>>,
+    ) -> Option<Vec<Interval>> {
+        let mut all = parts.map(values);
+        let first = all.next()??;
+        all.try_fold(first, |hull, other| Some(hull.iter().zip(&other?).map(|(one, other)| one.hull(other)).collect()))
     }
 
     /// The aim: relative to samples of the integrand.
@@ -159,10 +245,9 @@ impl Enclosed {
         let middle = x.midpoint();
         let mut sizes = vec![Float::new(BOUND_BITS); order.count()];
         for t in SAMPLES {
-            let beyond = gaps.iter().rev().find(|gap| gap.to <= t);
-            let part = self.formula.part(beyond.map_or(0, |gap| gap.last))?;
-            let t = Interval::point(Float::with_val(BOUND_BITS, t));
-            let ray = Ray { part, x: &middle, order, heights: &self.heights };
+            let t = self.weight.sample(&Interval::point(Float::with_val(BOUND_BITS, t)));
+            let beyond = gaps.iter().rev().find(|gap| gap.to <= *t.lower());
+            let ray = self.ray(beyond.map_or(0, |gap| gap.last), &middle, order)?;
             for (size, value) in sizes.iter_mut().zip(ray.at(&t).into_iter().flatten()) {
                 size.max_mut(value.abs().upper());
             }
@@ -179,21 +264,13 @@ impl Enclosed {
     fn across(&self, gap: &Gap, x: &Interval, order: Order, precision: Precision) -> Option<Vec<Interval>> {
         let t = Interval::new(gap.from.clone(), gap.to.clone()).rounded(precision);
         let length = Interval::point(gap.to.clone()) - Interval::point(gap.from.clone());
-        let mut hull: Option<Vec<Interval>> = None;
-        for index in gap.first..=gap.last {
-            let part = self.formula.part(index)?;
-            let values = Ray { part, x, order, heights: &self.heights }.at(&t)?;
-            hull = Some(match hull {
-                None => values,
-                Some(hull) => hull.iter().zip(&values).map(|(one, other)| one.hull(other)).collect(),
-            });
-        }
-        Some(hull?.into_iter().map(|value| value * &length).collect())
+        let hull = self.hull(gap.first..=gap.last, |index| self.ray(index, x, order)?.at(&t))?;
+        Some(hull.into_iter().map(|value| value * &length).collect())
     }
 
     /// Adds the terms of the kinks inside x.
     fn add_kinks(&self, x: &Interval, order: Order, values: &mut [Interval]) {
-        if order == Order::Value {
+        if order == Order::Value || matches!(self.weight, Weight::Winkler) {
             return;
         }
         for (index, b) in self.formula.breaks().iter().enumerate() {
@@ -208,12 +285,9 @@ impl Enclosed {
             let zero = first.lit(0);
             let vanishes = [*first == zero, *first == zero && *second == zero];
             let b = b.rounded(x.ctx());
-            let square = (x.clone() - &b) * (x.clone() + &b);
-            // Unbounded, and so the entire line, unless x is certainly beyond b.
-            let root = Real::sqrt(&square);
-            let factor = b.square() / (x.clone() * &root);
+            let factor = self.weight.share_of_kink(x, &b);
             let terms = [factor.clone() * first, {
-                let slope = -(x.square() / &square + x.lit(1)) * &factor;
+                let slope = self.weight.bend_of_kink(x, &b) * &factor;
                 factor * second + slope * first
             }];
             for ((value, term), vanishes) in values.iter_mut().zip(terms).zip(vanishes) {
@@ -225,24 +299,22 @@ impl Enclosed {
     }
 
     /// Bounds of g' on an interval of radii that may be wide: with x cosθ = √(x² − b²) at a kink b, where r f' jumps,
-    /// g' = ∫ (r f')' dθ + Σ \[r f'\]/√(x² − b²).
+    /// g' = ∫ (r f')' dθ + Σ \[r f'\]/√(x² − b²), and with the weights of the medium on others.
     fn slope_by_ranges(&self, x: &Interval) -> Option<Interval> {
         let x = x.rounded(Precision::new(BOUND_BITS));
         let quarter = x.pi().over(2);
-        let mut sum = x.lit(0);
+        let mut slope = x.lit(0);
         let mut from = x.lit(0);
         for end in 1..=RANGES {
             let to = Special::sin(&quarter.clone().times(end).over(RANGES)).lesser(&x.lit(1));
             let radii = (from.clone() * &x).hull(&(to.clone() * &x));
-            sum += &self.stretch(&radii)?;
+            slope += &(self.stretch(&radii)? * self.weight.mass(end - 1, RANGES, &x));
             from = to;
         }
-        let mut slope = sum * quarter.over(RANGES);
         for (index, b) in self.formula.breaks().iter().enumerate().filter(|(_, b)| b.lower() < x.upper()) {
             let jump = &self.formula.jump(index)?[1];
             if *jump != jump.lit(0) {
-                let square = (x.clone() - b) * (x.clone() + b);
-                slope += &(jump.clone() / &Real::sqrt(&square));
+                slope += &(jump.clone() * self.weight.share_of_step(&x, b));
             }
         }
         slope.is_finite().then_some(slope)
@@ -282,94 +354,8 @@ impl Order {
     }
 }
 
-/// How precisely an interval of radii is integrated.
-struct Span {
-    is_wide: bool,
-    ratio: Float,
-    bits: u32,
-    /// The aim relative to the size of the integrand.
-    aim: Float,
-}
-
-impl Span {
-    fn is_for_ranges(&self) -> bool {
-        self.ratio > WIDEST
-    }
-
-    fn of(x: &Interval) -> Self {
-        let bits = x.lower().prec();
-        let ratio = Float::with_val_round(BOUND_BITS, x.upper() / x.lower(), Round::Up).0;
-        let width = Float::with_val_round(BOUND_BITS, x.upper() - x.lower(), Round::Up).0 / x.lower();
-        let finest = Float::with_val(BOUND_BITS, Float::i_exp(1, SPARE - bits as i32));
-        let by_width = Float::with_val(BOUND_BITS, &width) >> BELOW_WIDTH;
-        // Half of the bits say all about an interval of that width.
-        let is_wide = width > Float::with_val(BOUND_BITS, Float::i_exp(1, -(bits as i32) / 2));
-        let enough = width.get_exp().map_or(bits, |exponent| (2 * exponent.unsigned_abs() + 64).min(bits));
-        Span { is_wide, ratio, bits: if is_wide { enough } else { bits }, aim: finest.max(&by_width) }
-    }
-}
-
-/// An enclosure of angles, as a part of [0, 1], on which breaks lie, and the parts before and after them.
-struct Gap {
-    from: Float,
-    to: Float,
-    first: usize,
-    last: usize,
-}
-
-/// The gaps around (2/π) arcsin(b/x), those that overlap in one.
-fn gaps(x: &Interval, breaks: &[Interval], precision: Precision) -> Vec<Gap> {
-    let x = x.rounded(precision);
-    let one = x.lit(1);
-    let mut gaps: Vec<Gap> = Vec::new();
-    for (index, b) in breaks.iter().enumerate() {
-        if b.lower() >= x.upper() {
-            break;
-        }
-        let sine = (b.rounded(precision) / &x).lesser(&one);
-        let t = Special::asin(&sine).times(2) / x.pi();
-        let (from, to) = (t.lower().clone(), t.upper().clone().min(one.lower()));
-        match gaps.last_mut() {
-            Some(last) if last.to >= from => {
-                last.to.max_mut(&to);
-                last.last = index + 1;
-            }
-            _ => gaps.push(Gap { from, to, first: index, last: index + 1 }),
-        }
-    }
-    gaps
-}
-
 fn add(sums: &mut [Interval], values: &[Interval]) {
     sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
-}
-
-/// The integrands (π/2) sinθ Dᵏf over t = 2θ/π.
-struct Ray<'a> {
-    part: &'a FormulaPart,
-    x: &'a Interval,
-    order: Order,
-    heights: &'a AtomicU64,
-}
-
-impl Integrand for Ray<'_> {
-    fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
-        self.heights.fetch_add(1, Ordering::Relaxed);
-        let half_pi = Interval::from_int(Precision::new(t.bits()), 1).pi().over(2);
-        let sine = t.scaled(&half_pi).sin_cos().0;
-        let r = Euler::variable(&sine.scaled(self.x), self.order.derivatives());
-        let f = self.part.at(&r)?;
-        let weight = sine.scaled(&half_pi);
-        let values = match self.order {
-            Order::Value => vec![f.value().clone(), f.value().plus(&f.derivative(1)), f.derivative(1)],
-            Order::Slope => vec![f.derivative(1).plus(&f.derivative(2))],
-            Order::Curvature => {
-                let first = f.derivative(1);
-                vec![first.plus(&f.derivative(2)), f.derivative(3).minus(&first)]
-            }
-        };
-        Some(values.into_iter().map(|value| value.product(&weight)).collect())
-    }
 }
 
 impl Transform<Interval> for Enclosed {
@@ -379,6 +365,9 @@ impl Transform<Interval> for Enclosed {
 
     fn slope(&self, x: &Interval) -> Result<Interval> {
         self.check(x)?;
+        if let Weight::Winkler = self.weight {
+            return Ok(self.integrals(x, Order::Slope)?.swap_remove(0) / x);
+        }
         let ranged = if Span::of(x).is_for_ranges() { self.slope_by_ranges(x) } else { None };
         ranged.map_or_else(|| Ok(self.integrals(x, Order::Slope)?.swap_remove(0) / x), Ok)
     }
@@ -419,6 +408,12 @@ impl Transform<Interval> for Enclosed {
             return Ok(None);
         }
         let (inside, outside) = (inner.hull(b), b.hull(&outer));
+        let value = Some((value[1].clone(), value[0].clone()));
+        if let Weight::Winkler = self.weight {
+            let slope = |part: usize, radii: &Interval| Some(self.formula.part(part)?.slopes(radii)?[1].clone());
+            let slopes = |part, radii| slope(part, radii).map_or_else(Slopes::unknown, Slopes::within);
+            return Ok(Some(Kink { value, inside: slopes(index, &inside), outside: slopes(index + 1, &outside) }));
+        }
         let mut below = before(&inside, Order::Slope)?;
         let mut above = self.between_breaks(&outside, Order::Slope, &breaks[..=index])?;
         for (x, values) in [(&inside, &mut below), (&outside, &mut above)] {
@@ -427,7 +422,7 @@ impl Transform<Interval> for Enclosed {
         }
         let (below, above) = (below.swap_remove(0), above.swap_remove(0));
         // T falls to its value at the outer end.
-        let least = b.square() / (outer.clone() * Real::sqrt(&((outer.clone() - b) * (outer + b))));
+        let least = self.weight.share_of_kink(&outer, b);
         let with_jump = (least * &jump[1] + &above) / &outside;
         let zero = b.lit(0);
         let outside = match &jump[1] {
@@ -436,52 +431,6 @@ impl Transform<Interval> for Enclosed {
             jump if *jump < zero => Slopes::at_most(with_jump),
             _ => Slopes::unknown(),
         };
-        let value = Some((value[1].clone(), value[0].clone()));
         Ok(Some(Kink { value, inside: Slopes::within(below / inside), outside }))
-    }
-}
-
-/// The transform of a formula over enclosures with derivatives in the radius.
-#[derive(Clone)]
-pub struct EnclosedWithSlopes(Enclosed);
-
-impl EnclosedWithSlopes {
-    /// From the transform over enclosures.
-    pub fn new(transform: Enclosed) -> Self {
-        EnclosedWithSlopes(transform)
-    }
-}
-
-impl Transform<Dual<Interval>> for EnclosedWithSlopes {
-    fn g(&self, x: &Dual<Interval>) -> Result<Dual<Interval>> {
-        Ok(x.chain(self.0.g(&x.value)?, self.0.slope(&x.value)?))
-    }
-
-    fn slope(&self, x: &Dual<Interval>) -> Result<Dual<Interval>> {
-        let mut values = self.0.integrals(&x.value, Order::Curvature)?;
-        let curvature = values.swap_remove(1) / x.value.square();
-        let slope = values.swap_remove(0) / &x.value;
-        let slope = if slope.is_finite() { slope } else { self.0.slope_by_ranges(&x.value).unwrap_or(slope) };
-        Ok(x.chain(slope, curvature))
-    }
-
-    fn integral(&self, x: &Dual<Interval>) -> Result<Dual<Interval>> {
-        Ok(x.chain(self.0.integral(&x.value)?, self.0.g(&x.value)?))
-    }
-
-    fn mean(&self, x: &Dual<Interval>) -> Result<Dual<Interval>> {
-        Ok(x.chain(self.0.mean(&x.value)?, self.0.above_mean(&x.value)? / &x.value))
-    }
-
-    fn outer_radius(&self) -> Option<Dual<Interval>> {
-        Transform::outer_radius(&self.0).map(Dual::constant)
-    }
-
-    fn kinks(&self) -> Vec<Dual<Interval>> {
-        Transform::kinks(&self.0).into_iter().map(Dual::constant).collect()
-    }
-
-    fn work(&self) -> u64 {
-        self.0.work()
     }
 }

@@ -1,0 +1,28 @@
+//! What a medium weighs the heights of a profile with in a transform.
+
+use mdr_core::number::Real;
+
+/// The medium of a transform.
+#[derive(Clone, Debug)]
+pub(super) enum Weight<R> {
+    /// A homogeneous half-space.
+    #[cfg_attr(not(feature = "mp"), allow(dead_code, reason = "of enclosures only"))]
+    HalfSpace,
+    /// A half-space graded as zᵏ: k.
+    Graded(R),
+    /// A Winkler foundation.
+    Winkler,
+    /// A half-plane in line contact: the distance L of the reference of its depth, if it has one.
+    Line(Option<R>),
+}
+
+impl<R: Real> Weight<R> {
+    /// q = d ln S/d ln a where that is a constant: 1 + k, and 1 for a line contact, where it is not of use.
+    pub(super) fn order(&self, like: &R) -> R {
+        match self {
+            Weight::HalfSpace | Weight::Line(_) => like.lit(1),
+            Weight::Graded(k) => like.lit(1) + k,
+            Weight::Winkler => like.lit(2),
+        }
+    }
+}
