@@ -172,7 +172,7 @@ fn quadratures_are_the_closed_forms() {
         compare(&Weighted::graded(ball(), k), &powers, &format!("graded, k = {k}"));
     }
     compare(&Weighted::winkler(ball(), 1.0), &Powers::winkler([(2.0, 0.5)]).unwrap(), "winkler");
-    let line = LineLoad::new(Box::new(Weighted::line(ball(), 1.0)), None);
+    let line = LineLoad::new(Box::new(Weighted::line(ball(), None, 1.0)), None);
     compare(&line, &LineLoad::of_powers(Powers::line([(2.0, 0.5)]).unwrap(), None), "line");
     let kinked =
         || Heights::new([Shape::RoundedPunch { radius: 1.0, flat: 0.2 }, Shape::Paraboloid { radius: 3.0 }]).unwrap();
@@ -192,6 +192,8 @@ fn a_ring_of_attraction_on_a_graded_half_space() {
         // The ring is a 450th of a wide, and known to half of the digits less three.
         assert!((found / expected - 1.0).abs() < 1e-10, "{found} {expected}");
     }
+    #[cfg(feature = "mp")]
+    ring_in_many_digits();
     let homogeneous = contact(Quadrature::new(ball()), Medium::half_space(1.0).unwrap());
     let separation = WORK / 0.5;
     let one = state_on_graded(&homogeneous, &0.5, &0.3).unwrap();
@@ -203,4 +205,26 @@ fn a_ring_of_attraction_on_a_graded_half_space() {
     }
     let springs = contact(Quadrature::new(ball()), Medium::winkler(1.0).unwrap());
     assert!(state_on_graded(&springs, &1.0, &0.3).unwrap_err().to_string().contains("half-space"));
+}
+
+/// The state of k = 0.3 to twenty digits that were computed elsewhere: c₀/a − 1, d and F.
+#[cfg(feature = "mp")]
+fn ring_in_many_digits() {
+    use mdr_core::number::{Literal, Precision, Real};
+    use rug::Float;
+    let precision = Precision::new(160);
+    let number = |text: &str| Float::from_literal(precision, &text.parse::<Literal>().unwrap());
+    let (k, work) = (number("3/10"), number("1/100"));
+    let square = Powers::graded([(number("2"), number("1"))], &k).unwrap();
+    let medium = Medium::graded(number("1"), k).unwrap();
+    let adhesion = mdr_numeric::medium::Adhesion::new(work).unwrap();
+    let contact = Contact::new(square, medium, adhesion, Control::Force);
+    let a = number("3/10");
+    let state = mdr_numeric::dugdale::state_on_graded(&contact, &number("1"), &a).unwrap();
+    let found = [state.outer_radius / &a - 1u32, state.indentation, state.force];
+    let expected = ["0.0022002200450702519046", "-0.025668656600878799994", "-0.025910427927081932706"];
+    for (found, expected) in found.into_iter().zip(expected) {
+        let error = ((found.clone() - number(expected)) / number(expected)).abs();
+        assert!(error < 1e-19, "{found} {expected}");
+    }
 }
