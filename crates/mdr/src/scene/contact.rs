@@ -1,6 +1,8 @@
 //! The contact of a scene in one arithmetic: the profile transformed for its medium, the medium, the adhesion at the edge, and the
 //! control. Every state of a scene is computed from it.
 
+#[cfg(feature = "mp")]
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use mdr_analytic::Kappa;
@@ -8,7 +10,9 @@ use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Control, Edge, Error, ExpressionError, ExpressionProfile, Quantity, Transform};
 #[cfg(feature = "mp")]
-use mdr_core::number::{Dual, Interval, Precision};
+use mdr_core::contact::{EnclosedFormula, Shape};
+#[cfg(feature = "mp")]
+use mdr_core::number::{Dual, Interval, Precision, Real};
 use mdr_core::number::{Literal, Special};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::medium::{self, Adhesion};
@@ -34,11 +38,12 @@ pub trait SceneReal: Struve + Kappa + GradedReal {
         None
     }
 
-    /// The transform of a formula, if the arithmetic has a better one than a quadrature.
+    /// The transform of a formula on a medium, and of a shape that is written as one there, if the arithmetic has a better one than
+    /// a quadrature.
     ///
     /// # Errors
     /// A name of the formula without a value.
-    fn of_formula(_: &Formula, _: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
+    fn of_formula(_: &Profile, _: &ExactMedium, _: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
         None
     }
 }
@@ -66,8 +71,9 @@ impl SceneReal for rug::Float {
 impl SceneReal for Interval {
     const INDEX: usize = 2;
 
-    fn of_formula(formula: &Formula, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
-        Some(enclosed(formula, ctx).map(|transform| Box::new(transform) as Box<dyn Transform<Self>>))
+    fn of_formula(profile: &Profile, medium: &ExactMedium, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
+        let boxed = |transform| Box::new(transform) as Box<dyn Transform<Self>>;
+        Some(enclosed(profile, medium, ctx)?.map(boxed))
     }
 }
 
@@ -75,17 +81,46 @@ impl SceneReal for Interval {
 impl SceneReal for Dual<Interval> {
     const INDEX: usize = 3;
 
-    fn of_formula(formula: &Formula, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
+    fn of_formula(profile: &Profile, medium: &ExactMedium, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
         let with_slopes = |transform| Box::new(EnclosedWithSlopes::new(transform)) as Box<dyn Transform<Self>>;
-        Some(enclosed(formula, ctx).map(with_slopes))
+        Some(enclosed(profile, medium, ctx)?.map(with_slopes))
     }
 }
 
-/// The transform of a formula by rigorous integrals.
+/// The transform by rigorous integrals, of a profile that is written as a formula on the medium; `None` of another.
 #[cfg(feature = "mp")]
-fn enclosed(formula: &Formula, ctx: Precision) -> Result<Enclosed> {
-    let enclosed = formula.expression.enclosed(&formula.parameters, &formula.breaks, ctx);
-    Ok(Enclosed::new(enclosed.map_err(unnamed)?, ctx))
+fn enclosed(profile: &Profile, medium: &ExactMedium, ctx: Precision) -> Option<Result<Enclosed>> {
+    let formula = profile.written_on(medium)?;
+    let number = |literal: &Literal| Interval::from_literal(ctx, literal);
+    let bound = formula.expression.enclosed(&formula.parameters, &formula.breaks, ctx).map_err(unnamed);
+    // A cone has one slope where its cap ends.
+    let is_capped = matches!(profile, Profile::Shape(Shape::ConeParabolicCap { .. } | Shape::ConeSphericalCap { .. }));
+    let bound = if is_capped { bound.map(EnclosedFormula::without_corners) } else { bound };
+    Some(bound.map(|bound| match medium {
+        ExactMedium::Graded { exponent, .. } => Enclosed::graded(bound, ctx, number(exponent)),
+        ExactMedium::Winkler { .. } => Enclosed::winkler(bound, ctx),
+        ExactMedium::Plane { reference } => Enclosed::line(bound, ctx, reference.as_ref().map(number)),
+        ExactMedium::HalfSpace | ExactMedium::Periodic { .. } => Enclosed::new(bound, ctx),
+    }))
+}
+
+#[cfg(feature = "mp")]
+impl Profile {
+    /// The formula whose transform on a medium is a rigorous integral: that of the profile, or of a shape that has no closed form
+    /// there. `None` of a shape that ends in an edge, which no formula has, of a sum, and on a periodic medium.
+    pub(crate) fn written_on(&self, medium: &ExactMedium) -> Option<Cow<'_, Formula>> {
+        match self {
+            _ if medium.is_periodic() => None,
+            Profile::Formula(formula) => Some(Cow::Borrowed(formula)),
+            Profile::Shape(Shape::FlatPunch { .. } | Shape::EllipticalDimple { .. }) => None,
+            Profile::Shape(shape) if !medium.is_half_space() => {
+                let (expression, parameters) = shape.formula().ok()?;
+                let breaks = expression.breaks(&parameters).ok()?;
+                Some(Cow::Owned(Formula { expression, parameters, breaks }))
+            }
+            _ => None,
+        }
+    }
 }
 
 impl Scene {
@@ -155,7 +190,8 @@ impl Scene {
         let control: Control<R> = self.control.try_map(|stiffness| {
             Error::require_positive(Quantity::Stiffness, number(Quantity::Stiffness, stiffness)?)
         })?;
-        let (accepted, formulas) = (R::accepted(self, ctx), |formula: &Formula| R::of_formula(formula, ctx));
+        let formulas = |profile: &Profile| R::of_formula(profile, &self.medium, ctx);
+        let accepted = R::accepted(self, ctx);
         let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
         let transform = media::transform(&self.profile, &self.medium, ctx, number, accepted.as_ref(), &formulas)?;
         Ok(Contact::sharing(Arc::from(transform), medium, adhesion, control))
@@ -191,8 +227,8 @@ fn unnamed(error: ExpressionError) -> Error {
     }
 }
 
-/// The transforms of formulas that an arithmetic has in place of quadratures.
-pub(crate) type Formulas<'a, R> = &'a dyn Fn(&Formula) -> Option<Result<Box<dyn Transform<R>>>>;
+/// The transforms of formulas, and of shapes that are written as such on a medium, that an arithmetic has in place of quadratures.
+pub(crate) type Formulas<'a, R> = &'a dyn Fn(&Profile) -> Option<Result<Box<dyn Transform<R>>>>;
 
 /// The transformed profile: a closed form where there is one, `formulas` of a formula where the arithmetic has it, else its
 /// quadrature, and exact pieces of a table. `number` gets its numbers in the order of [`Profile::numbers`].
@@ -216,7 +252,7 @@ pub(crate) fn by_formulas<R: Struve + Kappa>(
             Box::new(Sum::new(terms.collect::<Result<_>>()?))
         }
         Profile::Formula(formula) => {
-            if let Some(transform) = formulas(formula) {
+            if let Some(transform) = formulas(profile) {
                 return transform;
             }
             let quadrature = Quadrature::new(formula.bound(ctx, number)?);

@@ -224,6 +224,15 @@ impl Profile {
         }
     }
 
+    /// The terms of a sum, or the profile itself.
+    #[cfg(feature = "mp")]
+    pub(crate) fn terms(&self) -> Vec<&Profile> {
+        match self {
+            Profile::Sum(terms) => terms.iter().flat_map(Profile::terms).collect(),
+            one => vec![one],
+        }
+    }
+
     /// Whether it is a formula, or a sum with one.
     pub fn has_formula(&self) -> bool {
         match self {

@@ -66,8 +66,7 @@ impl<'s> Certified<'s> {
                 return Ok(Arc::new(Admissibility::of_rising()));
             }
             let searched = self.search()?.admissibility();
-            let by_integrals = self.scene.profile.has_formula() && self.scene.is_enclosed();
-            let open = by_integrals && searched.basis() != Basis::Bound;
+            let open = self.scene.is_by_integrals() && searched.basis() != Basis::Bound;
             Ok(if open { proof::isolated(self, &searched)?.map_or(searched, Arc::new) } else { searched })
         });
         found.cloned()

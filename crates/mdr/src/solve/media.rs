@@ -1,9 +1,9 @@
 //! The medium of a scene in one arithmetic, and the transform of its profile there.
 
 use mdr_analytic::Kappa;
-use mdr_analytic::profiles::Sum;
+use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Body, Error, Quantity, Result, Transform};
+use mdr_core::contact::{Body, Error, Quantity, Result, Shape, Transform};
 #[cfg(feature = "mp")]
 use mdr_core::number::Interval;
 use mdr_core::number::{Literal, Special};
@@ -127,13 +127,26 @@ impl Scene {
         match &self.medium {
             medium if medium.is_half_space() => self.profile.is_closed(),
             ExactMedium::Periodic { .. } => matches!(self.profile, Profile::Wave(_)),
-            _ => is_of_powers(&self.profile),
+            _ => is_of_powers(&self.profile) || is_flat(&self.profile),
         }
     }
 
     /// Whether the transform of the profile on the medium can be enclosed: a closed form, or rigorous integrals of formulas.
     pub(crate) fn is_enclosed(&self) -> bool {
-        if self.medium.is_half_space() { self.profile.is_enclosed() } else { self.is_closed() }
+        if self.medium.is_half_space() {
+            return self.profile.is_enclosed();
+        }
+        #[cfg(feature = "mp")]
+        let written = self.profile.terms().iter().all(|term| is_flat(term) || term.written_on(&self.medium).is_some());
+        #[cfg(not(feature = "mp"))]
+        let written = false;
+        self.is_closed() || written
+    }
+
+    /// Whether what is enclosed are rigorous integrals, or sums with one.
+    #[cfg(feature = "mp")]
+    pub(crate) fn is_by_integrals(&self) -> bool {
+        !self.is_closed() && self.is_enclosed()
     }
 
     /// Whether the fold under a dead load is at the depth 0, exactly: that of a power n = (3 + k)/2, such as a paraboloid on a
@@ -174,6 +187,11 @@ fn is_of_powers(profile: &Profile) -> bool {
     powers(profile, &mut Literal::nearest_f64).is_some()
 }
 
+/// Whether a profile is a flat face: g = 0 on every medium.
+fn is_flat(profile: &Profile) -> bool {
+    matches!(profile, Profile::Shape(Shape::FlatPunch { .. }))
+}
+
 /// The transform of a profile on a medium. `number` gets the numbers of the profile in the order of [`Profile::numbers`]. A
 /// quadrature takes a relative error that is `accepted` where it cannot have the digits of the arithmetic; `formulas` has the
 /// transforms of formulas on a half-space that are better than a quadrature.
@@ -196,20 +214,23 @@ pub(crate) fn transform<R: Struve + Kappa + GradedReal>(
         }
         ExactMedium::Graded { exponent, .. } => (OfMedium::Graded(of_medium(exponent)), None),
         ExactMedium::Winkler { .. } => (OfMedium::Winkler, None),
-        ExactMedium::Plane { reference } => (OfMedium::Line, reference.as_ref().map(of_medium)),
+        ExactMedium::Plane { reference } => {
+            let reference = reference.as_ref().map(of_medium);
+            (OfMedium::Line(reference.clone()), reference)
+        }
     };
     if is_of_powers(profile)
         && let Some(terms) = powers(profile, number)
     {
         let sum = Powers::new(terms.into_iter().map(|[n, c]| weight.power(n, c)))?;
         return Ok(match weight {
-            OfMedium::Line => Box::new(LineLoad::of_powers(sum, reference)),
+            OfMedium::Line(_) => Box::new(LineLoad::of_powers(sum, reference)),
             _ => Box::new(sum),
         });
     }
-    let whole = quadrature(profile, ctx, number, &weight, accepted)?;
+    let whole = quadrature(profile, ctx, number, &weight, accepted, formulas)?;
     Ok(match weight {
-        OfMedium::Line => Box::new(LineLoad::new(whole, reference)),
+        OfMedium::Line(_) => Box::new(LineLoad::new(whole, reference)),
         _ => whole,
     })
 }
@@ -239,7 +260,8 @@ fn periodic<R: Special>(
 enum OfMedium<R> {
     Graded(R),
     Winkler,
-    Line,
+    /// With the distance of its reference.
+    Line(Option<R>),
 }
 
 impl<R: GradedReal> OfMedium<R> {
@@ -256,7 +278,7 @@ impl<R: GradedReal> OfMedium<R> {
                 let mean = n.lit(2) / (n.clone() + n.lit(2));
                 [n, c, mean]
             }
-            OfMedium::Line => {
+            OfMedium::Line(_) => {
                 let factor = n.pi() * &n / R::kappa_of_grade(&n, &n.lit(0)).times(2) * c;
                 let mean = n.lit(0);
                 [n, factor, mean]
@@ -274,7 +296,7 @@ impl<R: GradedReal> OfMedium<R> {
         let weighted = match self {
             OfMedium::Graded(k) => Weighted::graded(profile, k.clone()),
             OfMedium::Winkler => Weighted::winkler(profile, like),
-            OfMedium::Line => Weighted::line(profile, like),
+            OfMedium::Line(reference) => Weighted::line(profile, reference.clone(), like),
         };
         Box::new(match accepted {
             Some(error) => weighted.accepting(error.clone()),
@@ -283,22 +305,29 @@ impl<R: GradedReal> OfMedium<R> {
     }
 }
 
-/// The transform by quadrature.
-fn quadrature<R: GradedReal + Struve>(
+/// The transform by quadrature, or as `formulas` has it.
+fn quadrature<R: GradedReal + Struve + Kappa>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
     weight: &OfMedium<R>,
     accepted: Option<&R>,
+    formulas: Formulas<'_, R>,
 ) -> Result<Box<dyn Transform<R>>> {
+    if let Some(transform) = formulas(profile) {
+        return transform;
+    }
     Ok(match profile {
+        Profile::Shape(shape) if is_flat(profile) => closed_form(shape.map(|_, literal| number(literal)))?,
         Profile::Shape(shape) => {
             let heights = Heights::new([shape.map(|_, literal| number(literal))])?;
             weight.of(heights, ctx, accepted)
         }
         Profile::Sum(terms) => {
-            let terms =
-                terms.iter().map(|term| quadrature(term, ctx, number, weight, accepted)).collect::<Result<_>>()?;
+            let terms = terms
+                .iter()
+                .map(|term| quadrature(term, ctx, number, weight, accepted, formulas))
+                .collect::<Result<_>>()?;
             Box::new(Sum::new(terms))
         }
         Profile::Formula(formula) => weight.of(formula.bound::<R>(ctx, number)?, ctx, accepted),

@@ -89,7 +89,7 @@ fn range(certified: &Certified<'_>) -> Result<[Literal; 2]> {
         return Ok(range.clone());
     }
     let search = certified.search()?;
-    let by_integrals = certified.scene.profile.has_formula();
+    let by_integrals = certified.scene.profile.has_formula() || certified.scene.is_by_integrals();
     sample::range(&search.model, search.folds()?, &search.visited(), by_integrals)
 }
 

@@ -3,6 +3,7 @@
 #![cfg(feature = "mp")]
 
 mod scans;
+mod shapes;
 
 use mdr::answer::Fold;
 use mdr::no_files;
@@ -291,6 +292,33 @@ fn digits_do_not_depend_on_units() {
         assert_eq!(digits(&one.contact_radius), digits(&other.contact_radius), "{control}");
         assert_eq!(digits(&one.indentation), digits(&other.indentation), "{control}");
     }
+}
+
+/// The coefficient c from moduli where the field of a point force is known in closed form: with ν = 1/(2 + k) the stress is radial,
+/// σ = −(3 + k)P cos^(1+k)θ/(2πR²), and the surface sinks by (3 + k)P/(2π(1 + k)(2 + k)E₀r^(1+k)), which is P cos(πk/2)/(πc r^(1+k)); and
+/// an incompressible half-space whose shear modulus grows as G = mz is a Winkler foundation, K_w = 2m (R. E. Gibson, Géotechnique 17
+/// (1967) 58).
+#[test]
+fn moduli_of_a_graded_half_space() {
+    let pi = std::f64::consts::PI;
+    let coefficient = |exponent: &str, nu: &str| {
+        let body = mdr_core::contact::Body {
+            youngs_modulus: "3".parse().expect("a number"),
+            poissons_ratio: nu.parse().expect("a number"),
+        };
+        let stiffness = Grading::Moduli { depth: "2".parse().expect("a number"), bodies: vec![body] };
+        let medium = ExactMedium::Graded { exponent: exponent.parse().expect("a number"), stiffness };
+        medium.own_modulus::<f64>(()).expect("in its domain").expect("of its own")
+    };
+    for tenths in [1, 3, 6, 9] {
+        let k = f64::from(tenths) / 10.0;
+        let found = coefficient(&format!("{tenths}/10"), &format!("10/{}", 20 + tenths));
+        let expected = 2.0 * (pi * k / 2.0).cos() * (1.0 + k) * (2.0 + k) / (3.0 + k) * 3.0 / 2f64.powf(k);
+        assert!((found / expected - 1.0).abs() < 1e-13, "k = {k}: {found} {expected}");
+    }
+    // E = 3z/2 and ν = 1/2: G = z/2, K_w = 1, c = πK_w.
+    let found = coefficient("0.9999999999", "1/2");
+    assert!((found / pi - 1.0).abs() < 1e-8, "{found}");
 }
 
 /// u = d − f + gap: the displacement by the loads within the contact, the gap by those outside of it.
