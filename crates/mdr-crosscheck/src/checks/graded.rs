@@ -14,7 +14,7 @@ use crate::trial::Trial;
 
 /// Roundings of κ(n, k): three Gamma functions of two each, with arguments that are rounded twice; their logarithmic
 /// derivatives times the arguments are below 1 + x|ln x|.
-fn kappa_roundings(n: f64) -> f64 {
+pub(super) fn kappa_roundings(n: f64) -> f64 {
     let argument = 1.0 + n / 2.0;
     KAPPA + 12.0 + 4.0 * (1.0 + argument * (1.0 + argument.ln().abs()))
 }

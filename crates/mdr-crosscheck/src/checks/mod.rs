@@ -17,6 +17,7 @@ mod kappa;
 mod known;
 mod line;
 mod machine;
+mod media;
 mod path;
 mod profiles;
 mod proof;
@@ -140,11 +141,14 @@ const RUNS: &[(&str, Case)] = &[
     ("graded-kernel", graded::kernel),
     ("graded-states", by_turns!(graded::states)),
     ("graded-folds", by_turns!(graded::folds)),
+    ("graded-route", by_turns!(every 5, media::graded)),
     ("line-kernel", by_turns!(every 5, line::kernel)),
     ("line-states", by_turns!(every 5, line::states)),
+    ("line-route", by_turns!(every 5, media::line)),
     ("wave-kernel", wave::kernel),
     ("wave-states", by_turns!(wave::states)),
     ("wave-folds", by_turns!(wave::folds)),
+    ("wave-route", by_turns!(every 5, media::wave)),
     ("wave-thresholds", wave::thresholds),
     ("printed-1.15-dimensions", by_turns!(identities::dimensions)),
     ("jkr", by_turns!(known::jkr)),
