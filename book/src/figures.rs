@@ -8,12 +8,13 @@ use crate::error::Result;
 use crate::text::read;
 
 /// Which entry each picture belongs to.
-const PLACES: [(&str, &str); 6] = [
+const PLACES: [(&str, &str); 7] = [
     ("figure-1a.svg", "1.9"),
     ("figure-1b.svg", "1.10"),
     ("figure-2.svg", "1.10"),
     ("figure-3.svg", "1.11"),
     ("figure-4.svg", "wavy"),
+    ("figure-5.svg", "wave"),
     ("hysteresis.svg", "hysteresis"),
 ];
 

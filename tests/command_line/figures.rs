@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::{mdr, output, without_program};
 
-const FIGURES: [&str; 5] = ["figure-1a", "figure-1b", "figure-2", "figure-3", "figure-4"];
+const FIGURES: [&str; 6] = ["figure-1a", "figure-1b", "figure-2", "figure-3", "figure-4", "figure-5"];
 
 /// An empty directory of this test.
 fn directory(name: &str) -> PathBuf {

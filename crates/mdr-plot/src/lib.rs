@@ -30,7 +30,7 @@
 //! |---|---|
 //! | draw a scene | [`scene()`] of [`Scene::diagram`](mdr::Scene::diagram) |
 //! | draw a fit | `fit()`, with the feature `fit` |
-//! | draw figures 1 to 4 of the theory | [`figures`] |
+//! | draw figures 1 to 4 of the theory, and one of a wave | [`figures`] |
 //! | draw judged answers of another program | [`judged()`] of a [`Report`](mdr_reference::Report) |
 //! | draw methods by time and error | [`comparison()`] |
 //! | draw anything else | [`Picture`], [`Panel`], [`Axis`], [`Layer`] |

@@ -107,13 +107,12 @@ fn balance(data: &Diagram) -> Panel {
 /// Heights that show all equilibria, and as much of the curves as comes with them.
 fn balance_heights(data: &Diagram) -> Axis {
     const NAME: &str = "length";
-    let (Some(first), Some(last)) = (data.samples().next(), data.samples().next_back()) else {
-        return Axis::linear(NAME, Unit::Si("m"), 0.0, 1.0);
-    };
+    let Some(first) = data.samples().next() else { return Axis::linear(NAME, Unit::Si("m"), 0.0, 1.0) };
+    // Towards complete contact Δl falls again.
+    let top = data.samples().map(|sample| sample.elongation).fold(first.elongation, f64::max);
     if spans_decades(data) {
-        return Axis::log(NAME, Unit::Si("m"), first.elongation, 3.0 * last.elongation);
+        return Axis::log(NAME, Unit::Si("m"), first.elongation, 3.0 * top);
     }
-    let top = last.elongation;
     let starts = || data.held.iter().filter_map(|held| held.shifted.first()).map(|point| point[1]);
     let lowest = starts().fold(0.0, f64::min).max(-top);
     let highest = starts().fold(top, f64::max).min(2.0 * top);
