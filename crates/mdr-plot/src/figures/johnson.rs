@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use mdr::Result;
 use mdr::diagram::{Equilibrium, State};
-use mdr::prelude::{Control, Elasticity, Exact, Literal, Medium, Profile, Scene};
+use mdr::prelude::{Control, Elasticity, Exact, ExactMedium, Literal, Profile, Scene};
 
 use super::study::{ARROW_HEIGHT, Study};
 use crate::balance::{LOSS, shifted};
@@ -19,7 +19,7 @@ const UPPER: f64 = 0.499;
 /// A wave with λ = h₀ = E* = 1.
 fn wave(control: Control<Literal>) -> Result<Scene> {
     let work = (PI * ALPHA).powi(2) / 2.0;
-    let medium = Medium::Periodic { wavelength: 1.exact()?, flaw: None };
+    let medium = ExactMedium::Periodic { wavelength: 1.exact()?, flaw: None };
     Ok(Scene::new(Profile::Wave(1.exact()?), Elasticity::effective("1")?, work)?.medium(medium)?.control(control))
 }
 
