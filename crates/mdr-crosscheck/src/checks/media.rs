@@ -3,7 +3,9 @@
 
 use mdr_analytic::media::{GradedContact, GradedHalfSpace, JohnsonWave, LineContact, WaveControl};
 use mdr_core::calculus::roots::{self, Bracket};
-use mdr_core::contact::{Control, Expression, Fold, FoldKind, Material, Result, Shape, Transform};
+use mdr_core::contact::{
+    Control, Error, Expression, ExpressionError, Fold, FoldKind, Material, Quantity, Result, Shape, Transform,
+};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::folds;
 use mdr_numeric::medium::{Adhesion, Medium};
@@ -152,6 +154,11 @@ pub(super) fn line<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::C
     Ok(())
 }
 
+fn no_formula(error: ExpressionError) -> Error {
+    let (quantity, value) = (Quantity::Parameter("the formula of a wave"), error.to_string());
+    Error::Domain { quantity, value, requirement: "a formula" }
+}
+
 /// Johnson's wave as any periodic profile, by load and by approach.
 pub(super) fn wave<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
     let alpha = trial.uniform(0.1, 0.6);
@@ -170,8 +177,8 @@ pub(super) fn wave<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::C
             )
         }
     };
-    let formula: Expression = "1 - cos(2*pi*r)".parse().map_err(|_| mdr_core::contact::Error::Stopped)?;
-    let heights = formula.bind::<R>(ctx, &Default::default()).map_err(|_| mdr_core::contact::Error::Stopped)?;
+    let formula: Expression = "1 - cos(2*pi*r)".parse().map_err(no_formula)?;
+    let heights = formula.bind::<R>(ctx, &Default::default()).map_err(no_formula)?;
     let medium = Medium::periodic(one.clone(), one.clone())?;
     let work = (one.pi() * wave.alpha()).square().over(2);
     let contact = Contact::new(Periodic::new(heights, one.clone())?, medium, Adhesion::new(work)?, control);
