@@ -310,6 +310,21 @@ impl<N> Shape<N> {
         }
     }
 
+    /// Whether it is a flat face, f = 0 up to its edge: then g = 0 on every medium.
+    pub fn is_flat(&self) -> bool {
+        matches!(self, Shape::FlatPunch { .. })
+    }
+
+    /// Whether its formula is that of all of it: the formula of a flat punch or of an elliptical dimple goes on beyond their edges.
+    pub fn is_all_of_its_formula(&self) -> bool {
+        !matches!(self, Shape::FlatPunch { .. } | Shape::EllipticalDimple { .. })
+    }
+
+    /// Whether f' is continuous where its formula has a kink: a cone has one slope where its cap ends.
+    pub fn is_capped(&self) -> bool {
+        matches!(self, Shape::ConeParabolicCap { .. } | Shape::ConeSphericalCap { .. })
+    }
+
     /// The exponents n and coefficients C of f = Σ C rⁿ, where the shape is such a sum.
     ///
     /// ```

@@ -8,11 +8,11 @@ use std::sync::Arc;
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
+#[cfg(feature = "mp")]
+use mdr_core::contact::EnclosedFormula;
 use mdr_core::contact::{Control, Edge, Error, ExpressionError, ExpressionProfile, Quantity, Transform};
 #[cfg(feature = "mp")]
-use mdr_core::contact::{EnclosedFormula, Shape};
-#[cfg(feature = "mp")]
-use mdr_core::number::{Dual, Interval, Precision, Real};
+use mdr_core::number::{Dual, Interval, Precision};
 use mdr_core::number::{Literal, Special};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::medium::{self, Adhesion};
@@ -91,17 +91,10 @@ impl SceneReal for Dual<Interval> {
 #[cfg(feature = "mp")]
 fn enclosed(profile: &Profile, medium: &ExactMedium, ctx: Precision) -> Option<Result<Enclosed>> {
     let formula = profile.written_on(medium)?;
-    let number = |literal: &Literal| Interval::from_literal(ctx, literal);
     let bound = formula.expression.enclosed(&formula.parameters, &formula.breaks, ctx).map_err(unnamed);
-    // A cone has one slope where its cap ends.
-    let is_capped = matches!(profile, Profile::Shape(Shape::ConeParabolicCap { .. } | Shape::ConeSphericalCap { .. }));
+    let is_capped = matches!(profile, Profile::Shape(shape) if shape.is_capped());
     let bound = if is_capped { bound.map(EnclosedFormula::without_corners) } else { bound };
-    Some(bound.map(|bound| match medium {
-        ExactMedium::Graded { exponent, .. } => Enclosed::graded(bound, ctx, number(exponent)),
-        ExactMedium::Winkler { .. } => Enclosed::winkler(bound, ctx),
-        ExactMedium::Plane { reference } => Enclosed::line(bound, ctx, reference.as_ref().map(number)),
-        ExactMedium::HalfSpace | ExactMedium::Periodic { .. } => Enclosed::new(bound, ctx),
-    }))
+    Some(bound.map(|bound| media::enclosed(bound, medium, ctx)))
 }
 
 #[cfg(feature = "mp")]
@@ -112,8 +105,7 @@ impl Profile {
         match self {
             _ if medium.is_periodic() => None,
             Profile::Formula(formula) => Some(Cow::Borrowed(formula)),
-            Profile::Shape(Shape::FlatPunch { .. } | Shape::EllipticalDimple { .. }) => None,
-            Profile::Shape(shape) if !medium.is_half_space() => {
+            Profile::Shape(shape) if !medium.is_half_space() && shape.is_all_of_its_formula() => {
                 let (expression, parameters) = shape.formula().ok()?;
                 let breaks = expression.breaks(&parameters).ok()?;
                 Some(Cow::Owned(Formula { expression, parameters, breaks }))

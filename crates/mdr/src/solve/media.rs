@@ -3,13 +3,17 @@
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-use mdr_core::contact::{Body, Error, Quantity, Result, Shape, Transform};
 #[cfg(feature = "mp")]
-use mdr_core::number::Interval;
+use mdr_core::contact::EnclosedFormula;
+use mdr_core::contact::{Body, Error, Quantity, Result, Transform};
+#[cfg(feature = "mp")]
+use mdr_core::number::{Interval, Precision};
 use mdr_core::number::{Literal, Special};
 use mdr_numeric::medium;
 use mdr_numeric::path::EventKind;
 use mdr_numeric::profiles::Heights;
+#[cfg(feature = "mp")]
+use mdr_numeric::transform::Enclosed;
 use mdr_numeric::transform::{LineLoad, Periodic, Powers, Wave, Weighted};
 
 use super::graded::GradedReal;
@@ -187,9 +191,22 @@ fn is_of_powers(profile: &Profile) -> bool {
     powers(profile, &mut Literal::nearest_f64).is_some()
 }
 
+/// The transform of a formula by rigorous integrals with the weight of a medium that is not periodic.
+#[cfg(feature = "mp")]
+pub(crate) fn enclosed(formula: EnclosedFormula, medium: &ExactMedium, ctx: Precision) -> Enclosed {
+    use mdr_core::number::Real;
+    let number = |literal: &Literal| Interval::from_literal(ctx, literal);
+    match medium {
+        ExactMedium::Graded { exponent, .. } => Enclosed::graded(formula, ctx, number(exponent)),
+        ExactMedium::Winkler { .. } => Enclosed::winkler(formula, ctx),
+        ExactMedium::Plane { reference } => Enclosed::line(formula, ctx, reference.as_ref().map(number)),
+        _ => Enclosed::new(formula, ctx),
+    }
+}
+
 /// Whether a profile is a flat face: g = 0 on every medium.
 fn is_flat(profile: &Profile) -> bool {
-    matches!(profile, Profile::Shape(Shape::FlatPunch { .. }))
+    matches!(profile, Profile::Shape(shape) if shape.is_flat())
 }
 
 /// The transform of a profile on a medium. `number` gets the numbers of the profile in the order of [`Profile::numbers`]. A
