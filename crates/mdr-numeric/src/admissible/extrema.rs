@@ -250,7 +250,7 @@ impl Terrain {
         Ok(best.unwrap_or((ends.last().copied().unwrap_or(a), 0.0)))
     }
 
-    /// The minimum of a function between two radii, by golden section search.
+    /// The minimum of a function between two radii, by parabolas through three points and sections where they do not help (Brent).
     pub(super) fn least_between(
         &self,
         mut lower: f64,
@@ -259,28 +259,56 @@ impl Terrain {
         f: impl Fn(f64) -> Result<f64>,
     ) -> Result<(f64, f64)> {
         const SECTION: f64 = 0.381_966_011_250_105;
+        const NEAR: f64 = 1e-8;
+        let (mut second, mut third) = (best, best);
+        let mut steps = [upper - lower; 2];
         for _ in 0..40 {
-            if upper - lower <= 1e-9 * upper {
+            let near = NEAR * upper;
+            let middle = lower + (upper - lower) / 2.0;
+            if (best.0 - middle).abs() + (upper - lower) / 2.0 <= 2.0 * near {
                 break;
             }
-            let right = upper - best.0 > best.0 - lower;
-            let r = if right { best.0 + SECTION * (upper - best.0) } else { best.0 - SECTION * (best.0 - lower) };
-            let value = f(r)?;
-            if value < best.1 {
-                if right {
+            let parabola = vertex(best, second, third)
+                .filter(|r| *r > lower && *r < upper && (r - best.0).abs() < steps[0].abs() / 2.0);
+            let rest = if best.0 < middle { upper - best.0 } else { lower - best.0 };
+            let step = parabola.map_or(SECTION * rest, |r| r - best.0);
+            let step = if step.abs() < near { near.copysign(step) } else { step };
+            steps = [steps[1], step];
+            let r = best.0 + step;
+            if !(r > lower && r < upper) {
+                break;
+            }
+            let found = (r, f(r)?);
+            if found.1 <= best.1 {
+                if r > best.0 {
                     lower = best.0
                 } else {
                     upper = best.0
                 }
-                best = (r, value);
-            } else if right {
-                upper = r;
+                (third, second, best) = (second, best, found);
             } else {
-                lower = r;
+                if r > best.0 {
+                    upper = r
+                } else {
+                    lower = r
+                }
+                if found.1 <= second.1 || second.0 == best.0 {
+                    (third, second) = (second, found);
+                } else if found.1 <= third.1 || third.0 == best.0 || third.0 == second.0 {
+                    third = found;
+                }
             }
         }
         Ok(best)
     }
+}
+
+/// The vertex of the parabola through three points; `None` if they are on a line.
+fn vertex(best: (f64, f64), second: (f64, f64), third: (f64, f64)) -> Option<f64> {
+    let [to_second, to_third] = [second, third].map(|point| best.0 - point.0);
+    let [one, other] = [to_second * (best.1 - third.1), to_third * (best.1 - second.1)];
+    let r = best.0 - 0.5 * (to_second * one - to_third * other) / (one - other);
+    Some(r).filter(|r| r.is_finite())
 }
 
 /// The turning point of g between two radii, by the sign of its slope.

@@ -31,6 +31,8 @@ use extrema::Terrain;
 
 pub(crate) use refine::first_touch_roughly;
 pub use refine::{Ring, Touch, first_touch, last_admissible};
+#[cfg(feature = "mp")]
+pub(crate) use refine::{lost_roughly, proved_touch};
 
 /// Decides whether states of a contact are admissible, in double precision and for any number of states.
 ///

@@ -1,6 +1,8 @@
 //! The limit of admissibility in any arithmetic: an f64 search locates it, two conditions on the gap determine it.
 
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
+#[cfg(feature = "mp")]
+use mdr_core::number::{Interval, Precision};
 use mdr_core::number::{Real, order};
 
 use super::extrema::Terrain;
@@ -115,27 +117,74 @@ pub fn last_admissible<R: Real>(
     [from, to]: [&R; 2],
 ) -> Result<Option<(Equilibrium<R>, Ring<R>)>> {
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
+    let Some([upper, rough]) = lost_roughly(curve, admissibility, [from.approx(), to.approx()], 1e-8)? else {
+        return Ok(None);
+    };
     let (medium, work) = (curve.medium().of_unit_modulus(), curve.material_length().approx());
     let indentation = |a: f64| Ok(terrain.transform.g(&a)? - medium.elongation(&work, &a));
-    let narrowest = |a: f64| terrain.narrowest(a, indentation(a)?, false);
-    let (mut lower, mut upper) = (from.approx(), to.approx());
-    let Some(mut ring) = narrowest(upper)?.filter(|ring| ring.1 < 0.0) else { return Ok(None) };
-    if lower > 0.0 && narrowest(lower)?.is_some_and(|ring| ring.1 < 0.0) {
-        return Ok(None);
-    }
-    while upper - lower > 1e-8 * upper {
-        let middle = if upper > 2.0 * lower && lower > 0.0 { (lower * upper).sqrt() } else { (lower + upper) / 2.0 };
-        match narrowest(middle)?.filter(|ring| ring.1 < 0.0) {
-            Some(nearer) => (upper, ring) = (middle, nearer),
-            None => lower = middle,
-        }
-    }
-    let locus = Locus::new(curve, terrain, upper, ring.0);
+    let locus = Locus::new(curve, terrain, upper, rough);
     let (a, radius) = locus.loss(upper, &indentation)?;
     let (indentation, force) = curve.state(&a)?;
     let gap = a.lit(0);
     let state = Equilibrium { contact_radius: a, indentation, force, stability: Stability::Stable };
     Ok(Some((state, Ring { radius, gap })))
+}
+
+/// In doubles and to a relative tolerance, the contact radius between two at which admissibility is lost, and the radius of the
+/// ring; `None` if the surfaces overlap at the smaller one already, or not at the larger one.
+///
+/// # Errors
+/// Errors of the transform and of the quadrature.
+pub(crate) fn lost_roughly<R: Real>(
+    curve: &Contact<R>,
+    admissibility: &Admissibility,
+    [mut lower, mut upper]: [f64; 2],
+    tolerance: f64,
+) -> Result<Option<[f64; 2]>> {
+    let Some(terrain) = &admissibility.terrain else { return Ok(None) };
+    let (medium, work) = (curve.medium().of_unit_modulus(), curve.material_length().approx());
+    let narrowest = |a: f64| terrain.narrowest(a, terrain.transform.g(&a)? - medium.elongation(&work, &a), false);
+    let Some(mut ring) = narrowest(upper)?.filter(|ring| ring.1 < 0.0) else { return Ok(None) };
+    let first = if lower > 0.0 { narrowest(lower)? } else { None };
+    if first.is_some_and(|ring| ring.1 < 0.0) {
+        return Ok(None);
+    }
+    // The gaps at both ends; that of an end which stays is halved (Illinois), so that the other one moves, too.
+    let mut gaps = [first.map(|(_, gap)| gap), Some(ring.1)];
+    let mut moved = None;
+    while upper - lower > tolerance * upper {
+        let middle = match gaps {
+            [Some(open), Some(closed)] => {
+                let share = open / (open - closed);
+                lower + (upper - lower) * share.clamp(0.01, 0.99)
+            }
+            _ if upper > 2.0 * lower && lower > 0.0 => (lower * upper).sqrt(),
+            _ => (lower + upper) / 2.0,
+        };
+        if !(middle > lower && middle < upper) {
+            break;
+        }
+        let found = narrowest(middle)?;
+        let side = usize::from(found.is_some_and(|ring| ring.1 < 0.0));
+        match found {
+            Some(nearer) if side == 1 => (upper, ring) = (middle, nearer),
+            _ => lower = middle,
+        }
+        gaps[side] = found.map(|(_, gap)| gap);
+        if moved == Some(side) {
+            gaps[1 - side] = gaps[1 - side].map(|gap| gap / 2.0);
+        }
+        moved = Some(side);
+    }
+    Ok(Some([upper, ring.0]))
+}
+
+/// The first contact of a formula on a ring, as an enclosure; `None` where it is not on one ring that is proved.
+#[cfg(feature = "mp")]
+pub(crate) fn proved_touch(admissibility: &Admissibility, precision: Precision) -> Option<Touch<Interval>> {
+    let Some(FirstTouch::Ring(ring)) = &admissibility.touch else { return None };
+    let [radius, indentation] = ring.enclosed(precision);
+    Some(Touch { radius, indentation })
 }
 
 /// The narrowest gap near a radius, in two arithmetics.

@@ -9,9 +9,13 @@ use mdr_core::number::{Dual, Interval, Real};
 use rug::Float;
 use rug::float::Round;
 
-use super::{EnclosedCurve, ProvedFolds, kinks};
-use crate::admissible::{self, Admissibility, Ring, Touch};
+use super::overlap::Outside;
+use super::{Continuation, EnclosedCurve, ProvedFolds, kinks};
+use crate::admissible::{self, Admissibility, GapVerdict, Ring, Touch};
 use crate::branch::{self, EquilibriumBranches, FirstContact};
+
+/// Where admissibility is lost, before it is proved, relative to the contact radius.
+const ROUGHLY: f64 = 1e-3;
 
 /// The branches of a contact over enclosures, between folds that are proved to be complete in their range.
 ///
@@ -29,6 +33,7 @@ pub struct ProvedBranches {
     /// The equator, if no fold lies between the range and it.
     pub(super) equator: Option<Interval>,
     admissibility: OnceLock<Arc<Admissibility>>,
+    profile: Option<Continuation>,
 }
 
 /// The vertical edge, with the mean of g and the controlled quantity of the state in which the contact just reaches it.
@@ -65,12 +70,24 @@ impl ProvedBranches {
         let edge = curve.vertical_edge()?.filter(|edge| proved.range.1 >= *edge.radius.lower());
         let equator = curve.stable_equator(&proved.range.1)?;
         let admissibility = OnceLock::new();
-        Ok(ProvedBranches { curve, folds, range: proved.range.clone(), edge, equator, admissibility })
+        Ok(ProvedBranches { curve, folds, range: proved.range.clone(), edge, equator, admissibility, profile: None })
     }
 
     /// Sets the admissibility, which is otherwise searched when needed.
     pub fn with_admissibility(self, admissibility: Arc<Admissibility>) -> Self {
         ProvedBranches { admissibility: OnceLock::from(admissibility), ..self }
+    }
+
+    /// Sets the profile, with which the loss of admissibility is proved on a half-space.
+    pub fn with_profile(self, profile: Continuation) -> Self {
+        ProvedBranches { profile: Some(profile), ..self }
+    }
+
+    /// What lies outside a contact, where gaps can be enclosed.
+    fn outside(&self, radius: f64) -> Result<Outside<'_>> {
+        let contact = &self.curve.plain;
+        let profile = self.profile.as_ref().filter(|_| contact.medium().is_half_space());
+        profile.map(|profile| Outside { contact, profile }).ok_or_else(|| not_enclosed(radius))
     }
 
     /// The range of radii on which [all equilibria](EquilibriumBranches::equilibria) are found; some beyond it are also reported.
@@ -285,14 +302,26 @@ impl EquilibriumBranches<Interval> for ProvedBranches {
     }
 
     fn first_touch(&self) -> Result<Option<Touch<Interval>>> {
+        if let Some(touch) = admissible::proved_touch(self.admissibility(), self.curve.precision()) {
+            return Ok(Some(touch));
+        }
         match admissible::first_touch_roughly(self.admissibility())? {
             None => Ok(None),
             Some([radius, _]) => Err(not_enclosed(radius)),
         }
     }
 
-    fn last_admissible(&self, [_, to]: [&Interval; 2]) -> Result<Option<(Equilibrium<Interval>, Ring<Interval>)>> {
-        Err(not_enclosed(to.approx()))
+    fn last_admissible(&self, [from, to]: [&Interval; 2]) -> Result<Option<(Equilibrium<Interval>, Ring<Interval>)>> {
+        let outside = self.outside(to.approx())?;
+        let open = || self.curve.undecided("in which state admissibility is lost");
+        let ends = [from, to].map(Interval::approx);
+        let Some(rough) = admissible::lost_roughly(&self.curve.plain, self.admissibility(), ends, ROUGHLY)? else {
+            let verdict = self.admissibility().of(ends[0], self.curve.plain.indentation(from)?.approx());
+            let GapVerdict::Interpenetrating { radius, .. } = verdict else { return Err(open()) };
+            return if outside.overlaps(from, radius)? { Ok(None) } else { Err(open()) };
+        };
+        let (state, ring) = outside.last_admissible(rough)?;
+        if *from < state.contact_radius && state.contact_radius < *to { Ok(Some((state, ring))) } else { Err(open()) }
     }
 
     fn folds(&self) -> &[Fold<Interval>] {

@@ -10,7 +10,7 @@ use super::{ProvedBranches, kinks};
 use crate::path::{ContactState, EventKind, Path};
 
 /// The range on which the condition is enclosed at both ends, in octaves: contact radii of 2^±1048576 m.
-const FAR: f64 = 1_048_576.0;
+pub(super) const FAR: f64 = 1_048_576.0;
 /// The most enclosures of the condition at each end.
 const CELLS: usize = 512;
 
@@ -93,7 +93,7 @@ impl ProvedBranches {
 }
 
 /// log₂ of a radius.
-fn octave(radius: &Float) -> f64 {
+pub(super) fn octave(radius: &Float) -> f64 {
     let (mantissa, exponent) = radius.to_f64_exp();
     mantissa.log2() + f64::from(exponent)
 }

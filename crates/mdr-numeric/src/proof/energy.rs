@@ -224,21 +224,29 @@ impl Sampled for Square<'_> {
 
 /// The integral of one function from 0 to 1.
 pub(super) fn over_unit_interval(f: &impl Sampled, bits: u32) -> Result<Interval> {
+    Ok(all_over_unit_interval(f, bits)?.swap_remove(0))
+}
+
+/// The integrals of several functions from 0 to 1.
+pub(super) fn all_over_unit_interval(f: &impl Sampled, bits: u32) -> Result<Vec<Interval>> {
     let precision = Precision::new(bits);
-    let mut size = Float::new(BOUND_BITS);
+    let mut sizes: Vec<Float> = Vec::new();
     for t in SAMPLES {
         let t = Interval::from_f64(precision, t);
-        for value in f.values(&t)?.into_iter().flatten() {
+        let values = f.values(&t)?.unwrap_or_default();
+        sizes.resize(sizes.len().max(values.len()), Float::new(BOUND_BITS));
+        for (size, value) in sizes.iter_mut().zip(values) {
             size.max_mut(&up(value.abs().upper()));
         }
     }
-    if size.is_zero() {
-        size = Float::with_val(BOUND_BITS, 1);
+    if sizes.is_empty() {
+        sizes.push(Float::new(BOUND_BITS));
     }
     let aim = Float::with_val(BOUND_BITS, Float::i_exp(1, SPARE - bits as i32));
-    let goal = Goal { bits, tolerances: vec![size * aim], pieces: PIECES };
+    let tolerance = |size: Float| if size.is_zero() { aim.clone() } else { size * &aim };
+    let goal = Goal { bits, tolerances: sizes.into_iter().map(tolerance).collect(), pieces: PIECES };
     let ends = [Float::new(BOUND_BITS), Float::with_val(BOUND_BITS, 1)];
-    Ok(enclose(f, [&ends[0], &ends[1]], &goal)?.swap_remove(0))
+    enclose(f, [&ends[0], &ends[1]], &goal)
 }
 
 /// An integral that no number of bits makes easier.
@@ -257,4 +265,4 @@ pub(super) fn unproved(at: &Interval) -> Error {
 
 #[cfg(test)]
 #[path = "../../tests/private/rigorous.rs"]
-mod tests;
+pub(super) mod tests;

@@ -18,7 +18,7 @@ use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle, Special};
 use rug::Float;
 
 use super::continuation::{Continuation, Stretch, leg};
-use super::energy::{located, over_unit_interval, unproved};
+use super::energy::{all_over_unit_interval, located, over_unit_interval, unproved};
 use crate::contact::Contact;
 
 /// The radius, over that of the contact, up to which g' is looked at for a tip where the pressure is infinite.
@@ -104,19 +104,9 @@ impl<'a> EnclosedFields<'a> {
             return Err(Error::domain(Quantity::Radius, r, "finite and outside the contact, r > a"));
         }
         let c = leg(r, a);
-        let mut integral = a.lit(0);
-        let breaks = self.profile.breaks();
-        let inside = breaks.partition_point(|b| b.upper() < a.lower());
-        let angle = |b: &Interval| Special::asin(&(b.rounded(a.ctx()) / a));
-        let mut from = a.lit(0);
-        let ends = breaks[..inside].iter().map(angle).chain([a.pi().over(2)]);
-        for (beyond, to) in ends.enumerate() {
-            let kernel = Kernel { fields: self, r, beyond, from: from.clone(), width: to.clone() - &from };
-            integral += &over_unit_interval(&kernel, a.precision()).map_err(|error| located(error, r))?;
-            from = to;
-        }
+        let integral = moments(self.profile, a, r, 0)?.swap_remove(0);
         let held = self.d.clone() * Special::atan(&(a.clone() / &c));
-        Ok((held - integral * a * c).times(2) / a.pi())
+        Ok((held - integral * a).times(2) / a.pi())
     }
 
     /// The gap at r > a, in m.
@@ -183,22 +173,57 @@ impl<'a> EnclosedFields<'a> {
     }
 }
 
-/// sinθ f(a sinθ)/(r² − a² sin²θ) dθ/dt, where r² − a² sin²θ = c² + a² cos²θ.
-struct Kernel<'a> {
-    fields: &'a EnclosedFields<'a>,
-    r: &'a Interval,
-    beyond: usize,
-    from: Interval,
-    width: Interval,
+/// dᵏ/dcᵏ c ∫₀^{π/2} sinθ f(a sinθ)/(c² + a² cos²θ) dθ for k from 0 to `order` ≤ 2, where c² = r² − a², at r > a.
+///
+/// # Errors
+/// [`Error::Unproved`] where an integral takes too many pieces.
+pub(super) fn moments(profile: &Continuation, a: &Interval, r: &Interval, order: usize) -> Result<Vec<Interval>> {
+    let c = leg(r, a);
+    let breaks = profile.breaks();
+    let inside = breaks.partition_point(|b| b.upper() < a.lower());
+    let angle = |b: &Interval| Special::asin(&(b.rounded(a.ctx()) / a));
+    let ends = breaks[..inside].iter().map(angle).chain([a.pi().over(2)]);
+    let (mut from, mut sums) = (a.lit(0), vec![a.lit(0); order + 1]);
+    for (beyond, to) in ends.enumerate() {
+        let (start, width) = (from.clone(), to.clone() - &from);
+        let kernel = Kernel { profile, a, c: &c, order, beyond, from: start, width };
+        let parts = all_over_unit_interval(&kernel, a.precision()).map_err(|error| located(error, r))?;
+        sums.iter_mut().zip(&parts).for_each(|(sum, part)| *sum += part);
+        from = to;
+    }
+    Ok(sums)
+}
+
+/// sinθ f(a sinθ) dθ/dt times derivatives of c/(c² + a² cos²θ): with A = a² cos²θ these are (A − c²)/(c² + A)² and
+/// 2c(c² − 3A)/(c² + A)³.
+pub(super) struct Kernel<'a> {
+    pub(super) profile: &'a Continuation,
+    pub(super) a: &'a Interval,
+    pub(super) c: &'a Interval,
+    pub(super) order: usize,
+    pub(super) beyond: usize,
+    pub(super) from: Interval,
+    pub(super) width: Interval,
 }
 
 impl Integrand for Kernel<'_> {
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
-        let EnclosedFields { profile, a, .. } = self.fields;
         let (sine, cosine) = t.scaled(&self.width).plus(&t.constant(&self.from)).sin_cos();
-        let far = t.constant(&leg(self.r, a)).squared().plus(&cosine.scaled(a).squared());
-        let height = profile.height(&sine.scaled(a), self.beyond)?;
-        Some(vec![height.product(&sine).quotient(&far)?.scaled(&self.width)])
+        let height = self.profile.height(&sine.scaled(self.a), self.beyond)?;
+        let height = height.product(&sine).scaled(&self.width);
+        let (c, across) = (t.constant(self.c), cosine.scaled(self.a).squared());
+        let square = c.squared();
+        let far = square.plus(&across);
+        let mut values = vec![height.product(&c).quotient(&far)?];
+        if self.order > 0 {
+            values.push(height.product(&across.minus(&square)).quotient(&far.squared())?);
+        }
+        if self.order > 1 {
+            let above = square.minus(&across.product(&t.integer(3)));
+            let above = above.product(&c).product(&t.integer(2));
+            values.push(height.product(&above).quotient(&far.squared().product(&far))?);
+        }
+        Some(values)
     }
 }
 

@@ -10,7 +10,7 @@ use rug::float::Special;
 use super::{EnclosedCurve, ProvedFolds};
 
 /// Relative distances 2^−k from a kink at which the range may be cut, in the order in which they are tried.
-const MARGINS: [u32; 4] = [6, 12, 24, FINEST];
+pub(super) const MARGINS: [u32; 4] = [6, 12, 24, FINEST];
 /// The smallest of them. Kinks that are closer than twice that distance are left undecided.
 pub(super) const FINEST: u32 = 40;
 

@@ -14,13 +14,16 @@ mod continuation;
 mod ends;
 mod energy;
 mod equator;
+mod extrema;
 mod fields;
 mod kinks;
+mod overlap;
 mod range;
 
 pub use branches::ProvedBranches;
 pub use continuation::Continuation;
 pub use energy::{EnclosedEnergy, StoredEnergy};
+pub use extrema::rises_from;
 pub use fields::EnclosedFields;
 pub use range::range;
 

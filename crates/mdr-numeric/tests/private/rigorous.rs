@@ -8,10 +8,10 @@ use mdr_core::contact::{Expression, Material};
 use super::*;
 use crate::transform::Enclosed;
 
-/// g² without remainders.
-struct Dropped<'a>(Square<'a>);
+/// A function whose integrals have no remainders.
+pub(in crate::proof) struct Dropped<F>(pub(in crate::proof) F);
 
-impl Sampled for Dropped<'_> {
+impl<F: Sampled> Sampled for Dropped<F> {
     fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
         self.0.values(t)
     }

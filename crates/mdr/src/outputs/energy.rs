@@ -7,7 +7,7 @@ use mdr_numeric::energy::Energy;
 #[cfg(feature = "mp")]
 use {
     mdr_analytic::certified::{CertifiedPoint, Curve, Scaled},
-    mdr_core::contact::{Control, Equilibrium, Error, Quantity, Stability},
+    mdr_core::contact::{Control, Equilibrium, Error, Quantity, Stability, Status},
     mdr_core::number::certify::Enclosure,
     mdr_core::number::{Interval, Real},
     mdr_numeric::proof::{EnclosedEnergy, EnclosedFields},
@@ -98,6 +98,13 @@ impl<'w> IsRoom<'w> for Room<'w> {
             energies(&search.states()?, self.states)?
         };
         Ok(Output::Energy(search::estimates(items)))
+    }
+
+    #[cfg(feature = "mp")]
+    fn has_open_numbers(&self, output: &Output) -> bool {
+        let Output::Energy(list) = output else { return false };
+        let mut states = list.items.iter().flat_map(|at| &at.items);
+        states.any(|state| state.energy.status() == Status::Undecided)
     }
 
     fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {

@@ -119,6 +119,12 @@ pub(crate) trait Room<'w>: Request<'w> {
         false
     }
 
+    /// Whether an output in f64 has numbers that no quadrature reached, which enclosures may have.
+    #[cfg(feature = "mp")]
+    fn has_open_numbers(&self, _: &Output) -> bool {
+        false
+    }
+
     /// The output of [`searched`](Room::searched) or [`estimated`](Room::estimated), compared with the closed forms of a power law.
     ///
     /// # Errors

@@ -250,12 +250,11 @@ impl<'s> Solver<'s> {
     fn output_of_one(&self, want: &Want) -> contact::Result<Output> {
         let room = want.room();
         let law = if want.kind().is_of_profile() { None } else { PowerLaw::of(self.scene)? };
-        let beyond;
+        let beyond = Certified::new(self.scene, out_of_range::DIGITS, self.counts);
         let others = match &self.route {
             Route::Certified(certified) => vec![Provider::Proof(certified), Provider::Estimate(certified)],
             Route::Search(search) if self.scene.profile.has_function() => vec![Provider::Search(search)],
             Route::Search(search) => {
-                beyond = Certified::new(self.scene, out_of_range::DIGITS, self.counts);
                 vec![Provider::Search(search), Provider::Proof(&beyond), Provider::Estimate(&beyond)]
             }
         };
@@ -267,6 +266,14 @@ impl<'s> Solver<'s> {
             };
             match (found, self.scene.arithmetic, provider) {
                 (None, ..) => {}
+                (Some(output), _, Provider::Search(_))
+                    if self.scene.profile.has_formula() && room.has_open_numbers(&output) =>
+                {
+                    return Ok(match Provider::Proof(&beyond).output(&*room) {
+                        Ok(Some(proved)) => out_of_range::in_doubles(proved),
+                        _ => output,
+                    });
+                }
                 (Some(output), Arithmetic::Certified { .. }, _) | (Some(output), _, Provider::Search(_)) => {
                     return Ok(output);
                 }

@@ -1,12 +1,10 @@
 //! The contact over enclosures, and all its folds on a range of radii, on which the proofs of other outputs rest.
 
-use mdr_core::contact::{self, Control, Error, Result};
+use mdr_core::contact::{Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::admissible::Admissibility;
-use mdr_numeric::contact::Contact;
-use mdr_numeric::medium::Adhesion;
-use mdr_numeric::proof::{EnclosedCurve, ProvedFolds};
+use mdr_numeric::proof::{EnclosedCurve, ProvedFolds, rises_from};
 use rug::Float;
 use rug::float::Round;
 
@@ -93,51 +91,38 @@ fn range(certified: &Certified<'_>) -> Result<[Literal; 2]> {
     sample::range(&search.model, search.folds()?, &search.visited(), by_integrals)
 }
 
-/// The work of adhesion over E*, in powers of two, at which folds are the extrema of g but for 2^−2000 of a length.
-const NEARLY_NONE: i64 = -4000;
 /// The relative error of g in doubles at its extrema.
 const SEEN: f64 = 1e-9;
 
 /// Admissibility from extrema of g that are proved to be all on the range of the folds, g rising beyond; `None` if they are not.
-/// They are the folds of a contact with next to no adhesion.
 ///
 /// # Errors
 /// Errors of the search for folds; a parameter out of its domain.
 pub(super) fn isolated(certified: &Certified<'_>, searched: &Admissibility) -> Result<Option<Admissibility>> {
     let range = range(certified)?;
     let precision = Precision::new(ISOLATION);
-    let enclosed = Enclosed::new(certified, precision)?;
-    let plain = nearly_free(&enclosed.value.contact())?;
-    let curve = EnclosedCurve::new(plain.clone(), nearly_free(&enclosed.dual.contact())?);
+    let curve = Enclosed::new(certified, precision)?.curve();
+    let proved = curve.plain().transform();
     let [lower, upper] = range.each_ref().map(|end| Interval::from_literal(precision, end));
-    let far = Float::with_val(ISOLATION, Float::i_exp(1, 1 << 20));
-    let beyond = Interval::new(upper.upper().clone(), far);
-    let rises_beyond = plain.transform().outer_radius().is_some()
-        || plain.transform().slope(&beyond).is_ok_and(|slope| *slope.lower() >= 0);
+    let rises_beyond = proved.outer_radius().is_some() || rises_from(proved, upper.upper());
     if !rises_beyond {
         return Ok(None);
     }
-    let found = decided(curve.folds(lower.lower(), upper.upper(), BUDGET_OF_ROWS))?;
-    let Some(found) = found.filter(ProvedFolds::is_complete) else { return Ok(None) };
+    let Some(Some(extrema)) = decided(curve.extrema(lower.lower(), upper.upper(), BUDGET_OF_ROWS))? else {
+        return Ok(None);
+    };
     let transform = std::sync::Arc::clone(certified.search()?.model.contact().shared_transform());
     // In doubles a quadrature may miss what the integral found.
-    let is_seen = |fold: &contact::Fold<Interval>| {
-        let proved = fold.indentation.approx();
-        transform.g(&fold.contact_radius.approx()).is_ok_and(|g| (g - proved).abs() <= SEEN * proved.abs())
-    };
-    if !found.poles.is_empty() || !found.folds.iter().all(is_seen) {
-        return Ok(None);
+    for extremum in &extrema {
+        let middle = extremum.mid();
+        let g = proved.g(&Interval::point(middle.clone()))?.approx();
+        if !transform.g(&middle.to_f64()).is_ok_and(|seen| (seen - g).abs() <= SEEN * g.abs()) {
+            return Ok(None);
+        }
     }
-    let extrema: Vec<f64> = found.folds.iter().map(|fold| fold.contact_radius.approx()).collect();
-    let range = [&found.range.0, &found.range.1].map(Float::to_f64);
+    let extrema: Vec<f64> = extrema.iter().map(|extremum| extremum.mid().to_f64()).collect();
+    let range = [lower.lower(), upper.upper()].map(Float::to_f64);
     Ok(Some(searched.with_extrema(transform, &extrema, range)))
-}
-
-/// The contact at fixed grips with next to no adhesion.
-fn nearly_free<R: Real>(contact: &Contact<R>) -> Result<Contact<R>> {
-    let work = contact.modulus().lit(2).powi(NEARLY_NONE) * contact.modulus();
-    let transform = std::sync::Arc::clone(contact.shared_transform());
-    Ok(Contact::sharing(transform, contact.medium().clone(), Adhesion::new(work)?, Control::Indentation))
 }
 
 /// Why folds are all, or are not.

@@ -240,12 +240,19 @@ fn factors(node: &Node<Constant>, found: &mut Vec<Node<Constant>>) {
             factors(x, found);
         }
         Node::Operation(Operator::Power, x, _) => factors(x, found),
+        // Where it is nothing all along it is smooth, and where that ends the other one vanishes.
+        Node::Operation(Operator::Minimum | Operator::Maximum, a, b) if is_zero(a) => factors(b, found),
+        Node::Operation(Operator::Minimum | Operator::Maximum, a, b) if is_zero(b) => factors(a, found),
         Node::Operation(Operator::Multiply | Operator::Divide, a, b) => {
             factors(a, found);
             factors(b, found);
         }
         other => found.push(other.clone()),
     }
+}
+
+fn is_zero(node: &Node<Constant>) -> bool {
+    matches!(node, Node::Constant(Constant::Literal(literal)) if literal.is_zero())
 }
 
 /// Whether two radii are equal to about the precision of doubles.

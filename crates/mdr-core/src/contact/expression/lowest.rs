@@ -77,6 +77,17 @@ impl Expression {
 }
 
 impl LowestRing {
+    /// Enclosures of the radius and of the height of the ring.
+    pub fn enclosed(&self, precision: Precision) -> [Interval; 2] {
+        let bits = precision.bits().saturating_add(64).max(BITS);
+        let node: Node<Interval> = self.root.bound(Precision::new(bits));
+        let within = [&self.within.0, &self.within.1].map(|end| Float::with_val(bits, end));
+        let [lower, upper] = sharpened(&node, within, bits - 16);
+        let radius = Interval::new(lower, upper);
+        let height = Jet::at(&node, &radius).mean_value(&node, &radius);
+        [radius, height].map(|number| number.rounded(precision))
+    }
+
     /// The radius and the height of the ring, rounded to the arithmetic.
     pub fn at<R: Real>(&self, ctx: R::Ctx) -> [R; 2] {
         let bits = R::from_int(ctx, 1).precision().saturating_add(64).max(BITS);

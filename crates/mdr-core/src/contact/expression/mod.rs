@@ -138,7 +138,12 @@ impl<R: Special> Node<R> {
     /// The largest term that contributes to the value: its rounding error remains when terms cancel.
     fn largest_term(&self, r: &R) -> R {
         let through = |x: &Node<R>, value: R| {
-            let amplified = x.largest_term(r) / x.value(r).abs();
+            let inner = x.value(r).abs();
+            if inner == inner.lit(0) {
+                // As on a flat of max(0, …): not by rounding.
+                return value.abs();
+            }
+            let amplified = x.largest_term(r) / inner;
             if amplified > amplified.lit(1) { value.abs() * amplified } else { value.abs() }
         };
         match self {

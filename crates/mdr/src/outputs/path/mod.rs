@@ -317,6 +317,12 @@ impl<'w> IsRoom<'w> for Room {
         Ok(LoadingPath::new(Promise::F64, path, search.completeness()?).into())
     }
 
+    #[cfg(feature = "mp")]
+    fn has_open_numbers(&self, output: &Output) -> bool {
+        let Output::Path(path) = output else { return false };
+        path.balance.as_ref().is_some_and(|balance| balance.stored.status() == Status::Undecided)
+    }
+
     fn undecided(&self, open: &Open<'_>) -> Output {
         let path = PathNumbers { events: vec![undecided(open)], balance: None };
         LoadingPath::new(open.promise, path, open.completeness()).into()

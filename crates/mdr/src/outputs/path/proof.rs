@@ -3,6 +3,7 @@
 use mdr_core::contact::{self, Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
+use mdr_numeric::admissible::Basis;
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
@@ -40,7 +41,7 @@ impl Followed {
     fn new(certified: &Certified<'_>, folds: &FoldProof, precision: Precision) -> Result<Self> {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
-        let branches = branches.with_admissibility(certified.admissibility()?);
+        let branches = surrounded(branches, certified, precision)?;
         let control = enclosed.value.control();
         let unproved = || {
             let (from, to) = ("0".to_owned(), "infinity".to_owned());
@@ -82,6 +83,17 @@ impl Followed {
             events::with_energy(&self.path.map(rounded), &certified.scene.path, &branches)
         })
     }
+}
+
+/// Branches with what is known of their surroundings: which states are admissible, and the profile where one may not be.
+fn surrounded(branches: ProvedBranches, certified: &Certified<'_>, precision: Precision) -> Result<ProvedBranches> {
+    let admissibility = certified.admissibility()?;
+    let rises = admissibility.basis() == Basis::Bound;
+    let branches = branches.with_admissibility(admissibility);
+    Ok(match certified.formulas()? {
+        Some(formulas) if !rises => branches.with_profile(formulas.continued(precision)?),
+        _ => branches,
+    })
 }
 
 impl Followed {
