@@ -147,6 +147,22 @@ pub struct RunsTest {
     pub p: f64,
 }
 
+/// Whether neighbouring residuals are alike, as where a filter, a drift or a wrong model leaves its trace. White noise has none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Autocorrelation {
+    /// The correlation of residuals with the next of their leg; 2 − 2 of it is the statistic of Durbin and Watson.
+    pub lag_one: f64,
+    /// Its deviation from that of white noise, in standard deviations.
+    pub z: f64,
+    /// The probability of at least this correlation in white noise.
+    pub p: f64,
+    /// The factor by which standard errors grow with residuals that are so correlated: the root of the sum of the correlations of all
+    /// lags up to the first that is not positive. It is that of a number on which all rows count alike, and a bound for others.
+    pub widening: f64,
+}
+
 /// Estimates in digits that are proved, for the labels of the fit.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -248,6 +264,8 @@ pub struct FittedLeg {
     pub mean_square: Option<f64>,
     /// The order of the signs of the residuals.
     pub runs_test: Option<RunsTest>,
+    /// The correlation of the residuals.
+    pub autocorrelation: Option<Autocorrelation>,
 }
 
 /// Rows of the data that do not count.
@@ -267,7 +285,7 @@ pub struct SkippedRows {
 #[non_exhaustive]
 pub struct Attempt {
     /// `approach-alone` and `retract-alone`, one leg where there are two works of adhesion; `given`, by the problem; `two-points`, of a power law; `regression`, of known contact radii; `all-in-contact` and `jump`, hypotheses
-    /// on the record; `search`, over w/E*.
+    /// on the record; `search`, over w/E*; `beside-another`, one standard error from one of these.
     pub start: &'static str,
     /// The number of rows out of contact.
     pub detached: usize,
@@ -325,6 +343,8 @@ pub struct Fit {
     pub distance: &'static str,
     /// The order of the signs of the residuals.
     pub runs_test: Option<RunsTest>,
+    /// The correlation of residuals within their legs.
+    pub autocorrelation: Option<Autocorrelation>,
     /// Each row, with its fitted state and its residual.
     pub rows: Vec<FittedRow>,
     /// The arcs of the fitted curve as points (X, Y, a), the outermost first.

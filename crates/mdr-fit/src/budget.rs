@@ -34,8 +34,8 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) {
     }
 }
 
-/// The derivatives with respect to one given number.
-fn along(objective: &Objective<'_>, errors: &Errors<'_>, minimum: &Minimum, index: usize) -> Option<Vec<BudgetEntry>> {
+/// The derivatives of the residuals with respect to the fitted value of a given number.
+pub(super) fn column(objective: &Objective<'_>, minimum: &Minimum, index: usize) -> Option<DVector<f64>> {
     let mut problem: Problem = objective.problem.clone();
     problem.parameters[index].free = true;
     problem.parameters[index].bounds = None;
@@ -47,21 +47,28 @@ fn along(objective: &Objective<'_>, errors: &Errors<'_>, minimum: &Minimum, inde
     fitted.insert(own, freed.to_fitted(own, problem.parameters[index].value?));
     let evaluation = freed.evaluate(&fitted, Some(&minimum.evaluation)).ok()?;
     let jacobian = freed.jacobian(&fitted, &evaluation).ok()?;
-    if jacobian.nrows() != minimum.jacobian.nrows() {
-        return None;
-    }
-    let kept: DMatrix<f64> = minimum.jacobian.select_columns(errors.kept);
-    let lengths: Vec<f64> = kept.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
-    let mut scaled = kept;
+    (jacobian.nrows() == minimum.jacobian.nrows()).then(|| jacobian.column(own).clone_owned())
+}
+
+/// The part of the residuals' derivatives with respect to a given number that the free numbers follow, in changes of these.
+pub(super) fn followed(errors: &Errors<'_>, minimum: &Minimum, column: &DVector<f64>) -> Option<DVector<f64>> {
+    let mut scaled: DMatrix<f64> = minimum.jacobian.select_columns(errors.kept);
+    let lengths: Vec<f64> = scaled.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
     scaled.column_iter_mut().zip(&lengths).for_each(|(mut column, length)| column /= *length);
-    let moved: DVector<f64> = scaled.svd(true, true).solve(&jacobian.column(own).clone_owned(), 1e-11).ok()?;
-    let of = problem.parameters[index].name.clone();
-    let entry = |(place, (moved, length)): (&usize, (&f64, &f64))| {
+    let moved = scaled.svd(true, true).solve(column, 1e-11).ok()?;
+    Some(DVector::from_iterator(lengths.len(), moved.iter().zip(&lengths).map(|(moved, length)| moved / length)))
+}
+
+/// The derivatives with respect to one given number.
+fn along(objective: &Objective<'_>, errors: &Errors<'_>, minimum: &Minimum, index: usize) -> Option<Vec<BudgetEntry>> {
+    let moved = followed(errors, minimum, &column(objective, minimum, index)?)?;
+    let of = objective.problem.parameters[index].name.clone();
+    let entry = |(place, moved): (&usize, &f64)| {
         let parameter = objective.parameter(*place);
         let is_offset = parameter.kind.is_offset();
         let unit = if is_offset { parameter.unit_name() } else { "1" };
-        BudgetEntry { name: parameter.name.clone(), of: of.clone(), slope: -moved / length, unit }
+        BudgetEntry { name: parameter.name.clone(), of: of.clone(), slope: -moved, unit }
     };
-    let found: Vec<BudgetEntry> = errors.kept.iter().zip(moved.iter().zip(&lengths)).map(entry).collect();
+    let found: Vec<BudgetEntry> = errors.kept.iter().zip(moved.iter()).map(entry).collect();
     found.iter().all(|entry| entry.slope.is_finite()).then_some(found)
 }

@@ -82,9 +82,7 @@ impl Numbers<f64> {
 
     /// The place of a row on the curve: without trends.
     pub(super) fn untrended(&self, row: &DataRow) -> [f64; 2] {
-        let [slope, drift, of_position] = self.trends;
-        let trend = slope * (row.x - self.contact_point) + drift * row.at.time;
-        [row.x - of_position * row.at.time, row.y - trend]
+        self.without_trends([&row.x, &row.y, &row.at.time])
     }
 
     /// Depth and force of a place on the curve, by the sensitivity of a photodiode, the offsets and the stiffness.
@@ -96,12 +94,27 @@ impl Numbers<f64> {
 
     /// How the place of the curve against that of a row moves with a number, by its trends.
     pub(super) fn trend_partial(&self, kind: Kind, row: &DataRow) -> [f64; 2] {
+        self.partial_of_trends(kind, [&row.x, &row.at.time])
+    }
+}
+
+impl<R: Real> Numbers<R> {
+    /// X and Y at a time, without drift of the position and without slope and drift of the baseline.
+    pub(super) fn without_trends(&self, [x, y, time]: [&R; 3]) -> [R; 2] {
+        let [slope, drift, of_position] = &self.trends;
+        let trend = slope.clone() * (x.clone() - &self.contact_point) + drift.clone() * time;
+        [x.clone() - of_position.clone() * time, y.clone() - trend]
+    }
+
+    /// How the place of the curve against that of a row with this X and time moves with a number, by its trends.
+    pub(super) fn partial_of_trends(&self, kind: Kind, [x, time]: [&R; 2]) -> [R; 2] {
+        let zero = || x.lit(0);
         match kind {
-            Kind::BaselineSlope => [0.0, row.x - self.contact_point],
-            Kind::BaselineDrift => [0.0, row.at.time],
-            Kind::PositionDrift => [row.at.time, 0.0],
-            Kind::ContactPoint => [0.0, -self.trends[0]],
-            _ => [0.0; 2],
+            Kind::BaselineSlope => [zero(), x.clone() - &self.contact_point],
+            Kind::BaselineDrift => [zero(), time.clone()],
+            Kind::PositionDrift => [time.clone(), zero()],
+            Kind::ContactPoint => [zero(), -self.trends[0].clone()],
+            _ => [zero(), zero()],
         }
     }
 }
@@ -213,6 +226,15 @@ impl<R: Special> Springs<R> {
     fn new(medium: &ExactMedium, numbers: &Numbers<R>, a: &R) -> Result<Self> {
         let Numbers { e_star, work, .. } = numbers;
         if medium.is_half_space() {
+            // Exactly none, whose root has no derivative.
+            if *work == work.lit(0) {
+                let none = || a.lit(0);
+                return Ok(Springs {
+                    factor: e_star.clone().times(2),
+                    stiffness: [a.clone(), a.lit(1), none()],
+                    elongation: [none(), none(), none()],
+                });
+            }
             let elongation = (a.pi().times(2) * a * work / e_star).sqrt();
             let slope = elongation.clone() / &a.clone().times(2);
             let curvature = -(elongation.clone() / &a.square().times(4));

@@ -88,7 +88,7 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
             if source != Source::Record || good.is_nan() || cost() < HOPELESS * (good + dof) {
                 search.descend(objective, name, &start, Some(scales));
                 // Of a start that is near, labels are right, and a larger scale of X leads away from them.
-                if objective.problem.has_two_works() {
+                if source == Source::Given || objective.problem.has_two_works() {
                     search.descend(objective, name, &start, None);
                 }
             }
@@ -223,6 +223,41 @@ fn variance(objective: &Objective<'_>, least: f64, is_stated: bool) -> f64 {
 
 fn degrees_of_freedom(objective: &Objective<'_>) -> f64 {
     objective.rows.len().saturating_sub(objective.free.len()).max(1) as f64
+}
+
+/// Descends from another start, and takes its end where that is lower; whether it is.
+pub(super) fn improve(
+    objective: &mut Objective<'_>,
+    start: &[f64],
+    minimum: &mut Minimum,
+    tried: &mut Vec<Attempt>,
+) -> bool {
+    let known = objective.at_fold.clone();
+    let found = lowest_near(objective, start, minimum.evaluations);
+    match found.ok().filter(|found| found.evaluation.cost() < minimum.evaluation.cost() * (1.0 - 1e-9)) {
+        Some(found) => {
+            let (fitted, cost) = (found.fitted.clone(), found.evaluation.cost());
+            tried.insert(0, Attempt { start: "beside-another", fitted, cost, detached: found.evaluation.detached() });
+            *minimum = found;
+            true
+        }
+        None => {
+            objective.at_fold = known;
+            false
+        }
+    }
+}
+
+fn lowest_near(
+    objective: &mut Objective<'_>,
+    start: &[f64],
+    evaluations: usize,
+) -> mdr_core::contact::Result<Minimum> {
+    objective.at_fold.clear();
+    let free = descended(objective, start, evaluations)?;
+    let found = settled(objective, free, start)?;
+    objective.at_fold.clone_from(&found.at_fold);
+    minimise::polish(objective, &found.fitted, found.evaluations, Precision::Full)
 }
 
 /// The least minimum of all rows near a start, from which a descent has led to the free one.

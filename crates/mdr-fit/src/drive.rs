@@ -13,6 +13,7 @@ use super::observation::{Leg, Loss};
 use super::problem::{Kind, Problem};
 use super::reported::{correlation, described, drawn, rows};
 use super::start::Source;
+use super::suspects;
 use mdr::Result;
 use mdr::reading::Location;
 use mdr::scene::Profile;
@@ -24,19 +25,36 @@ const VANISHING: f64 = 1.0;
 /// The probability of χ² below which a fit is called poor.
 const IMPROBABLE: f64 = 1e-6;
 
+/// The rise of the sum of squares, in variances, one standard error away below which another descent begins there, and how often one does.
+const LOWER: f64 = -0.1;
+const RESTARTS: usize = 6;
+
 /// A fit, and what is asked further of it.
 pub(super) struct Outcome {
     pub(super) fit: Fit,
     /// The number that tends to zero, by its index, where the iteration has not converged for it.
     pub(super) vanishing: Option<usize>,
+    /// The slope or drift that is not free, by its index, with which the residuals fall most.
+    pub(super) trend: Option<usize>,
     /// The scatter of neighbouring rows.
     seen: f64,
+    /// The standard deviation of the residuals in the unit of Y.
+    residual: f64,
 }
 
 pub(super) fn fit(problem: &Problem) -> Result<Fit> {
-    let Outcome { mut fit, seen, .. } = limits::without(problem, fit_from(problem, &Source::ALL)?)?;
+    let outcome = limits::never_receding(problem, fit_from(problem, &Source::ALL)?);
+    let Outcome { mut fit, seen, residual, trend, .. } = limits::without(problem, outcome)?;
     limits::of_weak(&mut fit, problem);
+    let known = fit.warnings.len();
     hysteresis::add(&mut fit, problem, seen);
+    if fit.warnings.len() == known {
+        if let Some(index) = trend {
+            suspects::add_trend(&mut fit, problem, index);
+        }
+        let misses = super::warnings::misses(&fit, seen, residual);
+        suspects::add_signs(&mut fit, problem, misses);
+    }
     super::warnings::of_rows(&mut fit, problem);
     super::smoothing::add(&mut fit, problem);
     let skipped = problem.selection.skipped.iter();
@@ -58,14 +76,23 @@ pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Outcome>
     let stated = problem.sigma[0].map(|sigma| scatter.noise.scaled(sigma));
     let x_scale = stated.filter(|sigma| *sigma > f64::EPSILON * scatter.span).or(own);
     let mut objective = Objective::new(problem, x_scale, scatter.noise)?;
-    let Found { minimum, tried } = descents::least(&mut objective, sources, scatter.stated)?;
+    let Found { mut minimum, mut tried } = descents::least(&mut objective, sources, scatter.stated)?;
     if minimum.evaluation.labels.iter().all(|label| *label == 0) {
         return Err(problem.place.refuse(out_of_contact(problem)));
     }
-    let fit = answer(&objective, &scatter, &minimum, &tried)?;
+    let mut found = answer(&objective, &scatter, &minimum, &tried)?;
+    for _ in 0..RESTARTS {
+        let Some(start) = &found.lower else { break };
+        if !descents::improve(&mut objective, start, &mut minimum, &mut tried) {
+            break;
+        }
+        found = answer(&objective, &scatter, &minimum, &tried)?;
+    }
+    let Answer { fit, trend, .. } = found;
     let vanishing = if fit.status == FitStatus::NotConverged { vanishing(&objective, &minimum) } else { None };
     let vanishing = vanishing.map(|place| objective.free[place]);
-    Ok(Outcome { fit, vanishing, seen: scatter.seen })
+    let residual = (minimum.evaluation.cost() / fit.dof.max(1) as f64).sqrt() * scatter.noise.y_scale;
+    Ok(Outcome { fit, vanishing, trend, seen: scatter.seen, residual })
 }
 
 /// The reason why no row is in contact.
@@ -223,8 +250,17 @@ impl Scatter {
     }
 }
 
+/// The answer at a minimum, with what may be better.
+struct Answer {
+    fit: Fit,
+    /// The slope or drift that it seems to lack, by its index.
+    trend: Option<usize>,
+    /// Fitted values nearby at which the sum of squares is smaller.
+    lower: Option<Vec<f64>>,
+}
+
 /// The answer at a minimum.
-fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried: &[Attempt]) -> Result<Fit> {
+fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried: &[Attempt]) -> Result<Answer> {
     let Noise { unit: noise_unit, .. } = objective.noise;
     let Minimum { fitted, evaluation, jacobian, .. } = minimum;
     let problem = objective.problem;
@@ -266,6 +302,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     };
     let rows = rows(objective, minimum)?;
     let residuals: Vec<f64> = rows.iter().map(|row| row.residual).collect();
+    let of_legs = hysteresis::of_legs(objective, &residuals);
     let covariance = if status.has_estimates() { errors.covariance(scales[0]) } else { Vec::new() };
     let mut fit = Fit {
         status,
@@ -288,6 +325,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         sigma: [objective.x_scale.and(problem.sigma[0]).unwrap_or(0.0), objective.noise.y],
         distance: if vertical { "vertical" } else { "orthogonal" },
         runs_test: judge::runs_test(&residuals),
+        autocorrelation: judge::autocorrelation(&of_legs.iter().map(Vec::as_slice).collect::<Vec<_>>(), dof),
         rows,
         arcs: drawn(objective, minimum)?,
         predicted_pull_off: None,
@@ -322,8 +360,13 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         super::budget::add(&mut fit, &errors, minimum);
     }
     limits::of_pinned(&mut fit, objective, minimum, &open)?;
-    super::warnings::of_minima(&mut fit, objective, tried, scales[0]);
+    super::warnings::of_minima(&mut fit);
     super::warnings::of_scatter(&mut fit, scatter.seen, by_residuals * objective.noise.y_scale);
+    let steps = if determined { errors.steps(evaluation) } else { Vec::new() };
+    let lowest = steps.iter().min_by(|one, other| one.rise.total_cmp(&other.rise));
+    let lower = lowest.filter(|step| step.rise < LOWER).map(|step| step.fitted.clone());
+    super::warnings::of_steps(&mut fit, objective, &steps);
+    let trend = if fit.status.has_estimates() { suspects::trend(objective, &errors, minimum, dof) } else { None };
     if problem.profile_likelihood && fit.status.has_estimates() {
         super::profile::add(&mut fit, &errors, minimum, scatter.stated);
     }
@@ -338,7 +381,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         #[cfg(not(feature = "mp"))]
         Some(_) => return Err(mdr::Error::NeedsMp { what: "a fit in certified digits" }),
     }
-    Ok(fit)
+    Ok(Answer { fit, trend, lower })
 }
 
 /// Why estimates are not to be trusted.

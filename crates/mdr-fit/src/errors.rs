@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::answer::{FitEstimate, FitStatus, Invariant};
 use super::judge::{self, Spectrum};
-use super::objective::Objective;
+use super::objective::{Evaluation, Objective};
 use super::problem::Kind;
 
 /// Errors of the free numbers and of quantities that follow from them.
@@ -16,6 +16,14 @@ pub(super) struct Errors<'a> {
     pub(super) spectrum: &'a Spectrum,
     /// The standard deviation of a residual: as stated, and by the residuals.
     pub(super) scales: [f64; 2],
+}
+
+/// A place one standard error away from the answer.
+pub(super) struct Step {
+    /// The number, by its place.
+    pub(super) place: usize,
+    pub(super) fitted: Vec<f64>,
+    pub(super) rise: f64,
 }
 
 impl Errors<'_> {
@@ -71,6 +79,24 @@ impl Errors<'_> {
             }
         }
         covariance
+    }
+
+    /// One standard error below and above each estimate, with the others following it, and by how much the sum of squares rises there, in
+    /// variances: by one where the curve is as good as linear in the numbers. Places where it has no value are left out.
+    pub(super) fn steps(&self, evaluation: &Evaluation) -> Vec<Step> {
+        let unit = |index: usize| DVector::from_fn(self.kept.len(), |place, _| f64::from(u8::from(place == index)));
+        let step = |index: usize, sign: f64| {
+            let own = unit(index);
+            let deviation = self.spectrum.covariance(&own, &own).sqrt();
+            let mut fitted = self.fitted.to_vec();
+            for (other, place) in self.kept.iter().enumerate() {
+                fitted[*place] += sign * self.scales[1] * self.spectrum.covariance(&unit(other), &own) / deviation;
+            }
+            let cost = self.objective.evaluate(&fitted, Some(evaluation)).ok()?.cost();
+            let rise = (cost - evaluation.cost()) / self.scales[1].powi(2);
+            rise.is_finite().then_some(Step { place: self.kept[index], fitted, rise })
+        };
+        (0..self.kept.len()).flat_map(|index| [-1.0, 1.0].map(|sign| step(index, sign))).flatten().collect()
     }
 
     /// The combinations that the data determine instead, and a description in words.

@@ -7,7 +7,7 @@ use super::drive;
 use super::judge;
 use super::objective::Objective;
 use super::observation::{Leg, Observation};
-use super::problem::{Kind, Problem};
+use super::problem::{DataRow, Kind, Problem};
 use super::start::Source;
 
 /// The probability of a χ² or of runs below which a second work of adhesion is tried.
@@ -34,8 +34,21 @@ pub(super) fn legs(fit: &mut Fit, objective: &Objective<'_>) {
             pinned: rows.iter().filter(|row| row.pinned).count(),
             mean_square: Some(squares / rows.len() as f64).filter(|mean| mean.is_finite()),
             runs_test: judge::runs_test(&residuals),
+            autocorrelation: judge::autocorrelation(&[&residuals], residuals.len()),
         });
     }
+}
+
+/// The residuals of each leg of a record.
+pub(super) fn of_legs(objective: &Objective<'_>, residuals: &[f64]) -> Vec<Vec<f64>> {
+    let mut rest = residuals;
+    let legs = objective.rows.chunk_by(|one, other| one.at.part == other.at.part);
+    let of_leg = |leg: &[DataRow]| {
+        let (own, other) = rest.split_at(leg.len().min(rest.len()));
+        rest = other;
+        own.to_vec()
+    };
+    legs.map(of_leg).collect()
 }
 
 /// Warns of hysteresis where the residuals are not those of noise and another work of adhesion for each direction mends them.
@@ -62,7 +75,7 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem, seen: f64) {
         }
         parameter.start = None;
     }
-    let sources = [Source::Formula, Source::Record];
+    let sources = [Source::Formula, Source::Record, Source::Search];
     let Ok(found) = drive::fit_from(&two, &sources).map(|outcome| outcome.fit) else { return };
     let value = |edge: Edge| found.estimate(edge.name())?.value;
     let [Some(advancing), receding] = [value(Edge::Advancing), value(Edge::Receding)] else { return };

@@ -3,7 +3,10 @@
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 
-use super::answer::RunsTest;
+use super::answer::{Autocorrelation, RunsTest};
+
+/// The fewest residuals of which an order is judged.
+const FEWEST: usize = 10;
 
 /// Singular values below this share of the largest are zero: the data say nothing of their direction.
 const NULL: f64 = 1e-8;
@@ -176,7 +179,7 @@ pub(super) fn runs_test(residuals: &[f64]) -> Option<RunsTest> {
     let count = signs.len() as f64;
     let above = signs.iter().filter(|sign| **sign).count() as f64;
     let product = 2.0 * above * (count - above);
-    if signs.len() < 10 || product == 0.0 {
+    if signs.len() < FEWEST || product == 0.0 {
         return None;
     }
     let runs = 1 + signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
@@ -185,6 +188,26 @@ pub(super) fn runs_test(residuals: &[f64]) -> Option<RunsTest> {
     let z = (runs as f64 - expected) / variance.sqrt();
     let p = 2.0 * Normal::standard().sf(z.abs());
     (variance > 0.0).then_some(RunsTest { runs, expected, z, p })
+}
+
+/// The correlation of residuals within each of these legs; `None` of fewer than ten rows, or of none that differ from the curve.
+pub(super) fn autocorrelation(legs: &[&[f64]], dof: usize) -> Option<Autocorrelation> {
+    let count: usize = legs.iter().map(|leg| leg.len()).sum();
+    let power: f64 = legs.iter().copied().flatten().map(|residual| residual * residual).sum();
+    if count < FEWEST || !(power > 0.0 && power.is_finite()) {
+        return None;
+    }
+    let at = |lag: usize| {
+        let products = |leg: &&[f64]| leg.iter().zip(leg.iter().skip(lag)).map(|(one, other)| one * other).sum::<f64>();
+        legs.iter().map(products).sum::<f64>() / power
+    };
+    let lag_one = at(1);
+    // Of white noise it has the variance 1/n, and a mean of about −1 per number that was fitted.
+    let fitted = count.saturating_sub(dof) as f64;
+    let z = (lag_one + fitted / count as f64) * (count as f64).sqrt();
+    let correlations = (1..count / 4).map(at).take_while(|correlation| *correlation > 0.0);
+    let widening = (1.0 + 2.0 * correlations.sum::<f64>()).sqrt();
+    Some(Autocorrelation { lag_one, z, p: Normal::standard().sf(z), widening })
 }
 
 /// The probability of at least this χ².
@@ -208,21 +231,5 @@ pub(super) fn median(mut values: Vec<f64>) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn products_are_written_as_in_a_formula() {
-        let names = ["e_star", "work_of_adhesion", "radius"];
-        let product = |exponents: [f64; 3]| product(&names, &DVector::from_column_slice(&exponents));
-        assert_eq!(product([1.0, 0.0, 0.5]), "e_star * radius^(1/2)");
-        assert_eq!(product([0.0, 1.0, 1.0]), "work_of_adhesion * radius");
-        assert_eq!(product([-2.0, 1.0, -0.5]), "e_star^(-2) * work_of_adhesion * radius^(-1/2)");
-    }
-
-    #[test]
-    fn alternating_signs_are_no_noise() {
-        let residuals: Vec<f64> = (0..40).map(|index| if index % 2 == 0 { 1.0 } else { -1.0 }).collect();
-        assert!(runs_test(&residuals).is_some_and(|test| test.runs == 40 && test.p < 1e-8));
-    }
-}
+#[path = "../tests/private/judge.rs"]
+mod tests;

@@ -71,6 +71,7 @@ mod select;
 mod sheet;
 mod smoothing;
 mod start;
+mod suspects;
 mod text;
 mod trends;
 mod validity;
@@ -78,8 +79,8 @@ mod warnings;
 mod words;
 
 pub use answer::{
-    Attempt, BudgetEntry, CertifiedEstimate, CertifiedFit, Fit, FitEstimate, FitEvent, FitLimit, FitQuantity,
-    FitStatus, FittedLeg, FittedRow, Invariant, LikelihoodInterval, RunsTest, SkippedRows, SmoothedFit,
+    Attempt, Autocorrelation, BudgetEntry, CertifiedEstimate, CertifiedFit, Fit, FitEstimate, FitEvent, FitLimit,
+    FitQuantity, FitStatus, FittedLeg, FittedRow, Invariant, LikelihoodInterval, RunsTest, SkippedRows, SmoothedFit,
 };
 pub use observation::{Leg, Loss, Observation};
 pub use problem::Problem;

@@ -2,8 +2,8 @@
 
 use mdr_core::contact::Shape;
 
-use super::answer::{Fit, FitStatus};
-use super::descents::Attempt;
+use super::answer::{Attempt, Autocorrelation, Fit, FitStatus};
+use super::errors::Step;
 use super::judge;
 use super::minimise::Minimum;
 use super::objective::Objective;
@@ -19,6 +19,15 @@ const NEAR_ZERO: f64 = 0.4;
 
 /// The difference of χ² up to which the data do not distinguish two minima.
 pub(super) const ALIKE: f64 = 9.0;
+
+/// The probability of each of two statistics of the order of residuals below which there is a warning.
+const UNLIKELY: f64 = 0.005;
+
+/// The rise of the sum of squares, in variances, one standard error away above which the standard error is rough.
+const STEEP: f64 = 16.0;
+
+/// The fewest rows out of contact that make a tail.
+const TAIL: usize = 3;
 
 /// The deviation of the residuals over the scatter of neighbouring rows above which there is a warning.
 const LARGER: f64 = 2.0;
@@ -47,9 +56,16 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
             ));
         }
     }
-    let detached = fit.rows.iter().any(|row| row.label < 0);
+    let detached = fit.rows.iter().filter(|row| row.label < 0).count();
+    if (1..TAIL).contains(&detached) && problem.is_free(Kind::Baseline) {
+        warnings.push(format!(
+            "the baseline is free, and rests on {detached} {} out of contact: if the record ends in contact, all numbers are others; record the \
+             tail after pull-off",
+            if detached == 1 { "row" } else { "rows" }
+        ));
+    }
     let sees_jump =
-        detached || problem.observation.sees_radius() || problem.observation == Observation::IndentationOfForce;
+        detached > 0 || problem.observation.sees_radius() || problem.observation == Observation::IndentationOfForce;
     if !sees_jump && problem.is_free(Kind::Baseline) {
         warnings.push("the baseline is free, and no detached row pins it: record the tail after pull-off".to_owned());
     } else if !sees_jump {
@@ -78,17 +94,7 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
     {
         warnings.push(format!("the contact is not small: a/R reaches {:.2}", widest / radius));
     }
-    if let Some(test) = fit.runs_test.filter(|test| test.p < 0.01) {
-        let residuals: Vec<f64> = fit.rows.iter().map(|row| row.residual).collect();
-        warnings.push(format!(
-            "the residuals are not random: {} runs of equal sign where {:.0} are expected (p = {:.1e}); the standard errors are \
-             too small if they are correlated, by their autocorrelation {:.1} times",
-            test.runs,
-            test.expected,
-            test.p,
-            widening(&residuals)
-        ));
-    }
+    warnings.extend(of_order(fit));
     if let (Some(chi2), Some(p)) = (fit.chi2, fit.chi2_p)
         && !(1e-3..=1.0 - 1e-3).contains(&p)
     {
@@ -124,49 +130,73 @@ pub(super) fn of_rows(fit: &mut Fit, problem: &Problem) {
     }
 }
 
-/// By how much correlated residuals make standard errors too small: the root of the sum of their autocorrelation, up to where it vanishes.
-fn widening(residuals: &[f64]) -> f64 {
-    let power: f64 = residuals.iter().map(|residual| residual * residual).sum();
-    let mut sum = 1.0;
-    for lag in 1..residuals.len() / 4 {
-        let products = residuals.iter().zip(&residuals[lag..]).map(|(one, other)| one * other);
-        let correlation = products.sum::<f64>() / power;
-        if !(correlation > 0.0) {
-            break;
-        }
-        sum += 2.0 * correlation;
+/// A warning of residuals in an order that white noise has in one of a hundred records: too few runs of equal sign, or neighbours that are
+/// alike. Its factor is that by which standard errors grow; they are stated without it.
+fn of_order(fit: &Fit) -> Option<String> {
+    let runs = fit.runs_test.filter(|test| test.z < 0.0 && test.p < UNLIKELY);
+    let alike = fit.autocorrelation.filter(|correlation| correlation.p < UNLIKELY);
+    if runs.is_none() && alike.is_none() {
+        return None;
     }
-    sum.sqrt()
+    let of_runs = fit.runs_test.map(|test| {
+        format!("{} runs of equal sign where {:.0} are expected (p = {:.1e})", test.runs, test.expected, test.p)
+    });
+    let of_neighbours = fit.autocorrelation.map(|Autocorrelation { lag_one, p, widening, .. }| {
+        format!(
+            "neighbours are correlated by {lag_one:.2} (p = {p:.1e}): where that is noise and not the curve, the standard errors are {widening:.1} \
+             times as large as stated"
+        )
+    });
+    let found: Vec<String> = [of_runs, of_neighbours].into_iter().flatten().collect();
+    Some(format!("the residuals are not random: {}", found.join("; ")))
+}
+
+/// Warns of standard errors that the curve is not linear enough for. Where a fold is held, errors are known to be rough.
+pub(super) fn of_steps(fit: &mut Fit, objective: &Objective<'_>, steps: &[Step]) {
+    let steepest = steps.iter().max_by(|one, other| one.rise.total_cmp(&other.rise));
+    let Some(step) = steepest.filter(|step| step.rise > STEEP && objective.at_fold.is_empty()) else { return };
+    if fit.status.has_estimates() {
+        fit.warnings.push(format!(
+            "standard errors are rough: one of `{}` away from the answer, with the others following it, the sum of squares rises by {:.0} variances \
+             instead of one, as where a row lies beside a fold of the curve or where the edge of the contact is set free; see --profile-likelihood",
+            objective.parameter(step.place).name,
+            step.rise
+        ));
+    }
 }
 
 /// Warns of another minimum that these data do not exclude: χ² rises by less than nine, three standard deviations of one number.
-pub(super) fn of_minima(fit: &mut Fit, objective: &Objective<'_>, tried: &[Attempt], deviation: f64) {
-    let Some(least) = tried.first() else { return };
-    let near = |other: &&Attempt| other.cost - least.cost < ALIKE * deviation * deviation;
-    let moved = |other: &Attempt| {
-        let far = |(place, estimate): (usize, &super::answer::FitEstimate)| {
-            let value = objective.value(place, other.fitted[place]);
+pub(super) fn of_minima(fit: &mut Fit) {
+    let variance = super::limits::variance(fit);
+    let rss = fit.rss;
+    let moved = |other: &&Attempt| {
+        let far = |(estimate, value): (&super::answer::FitEstimate, &f64)| {
             let distance = (value - estimate.value?).abs();
             Some(distance > 2.0 * estimate.stderr? && distance > 1e-3 * estimate.value?.abs())
         };
-        fit.parameters.iter().enumerate().any(|estimate| far(estimate) == Some(true))
+        fit.parameters.iter().zip(&other.estimates).any(|both| far(both) == Some(true))
     };
-    let Some(other) = tried[1..].iter().filter(near).find(|other| moved(other)) else { return };
-    let numbers = fit.parameters.iter().zip(&other.fitted).enumerate().map(|(place, (estimate, fitted))| {
-        format!("{} = {:.4e} {}", estimate.name, objective.value(place, *fitted), estimate.unit)
-    });
+    let near = |other: &&Attempt| other.rss - rss < ALIKE * variance;
+    let Some(other) = fit.tried.iter().skip(1).filter(near).find(moved) else { return };
+    let numbers = fit.parameters.iter().zip(&other.estimates);
+    let numbers = numbers.map(|(estimate, value)| format!("{} = {value:.4e} {}", estimate.name, estimate.unit));
     let warning = format!(
         "the data hardly tell this minimum from another, with {} rows detached: {}; χ² is larger there by {:.2} only",
         other.detached,
         numbers.collect::<Vec<_>>().join(", "),
-        (other.cost - least.cost).max(0.0) / (deviation * deviation)
+        ((other.rss - rss) / variance).max(0.0)
     );
     fit.warnings.push(warning);
 }
 
-/// Warns where σ is not stated and residuals are larger than the scatter of neighbouring rows.
+/// Whether σ is not stated and the residuals are larger than the scatter of neighbouring rows.
+pub(super) fn misses(fit: &Fit, seen: f64, residual: f64) -> bool {
+    fit.chi2.is_none() && fit.chi2_p.is_none() && fit.rows.len() > 20 && seen > 0.0 && residual > LARGER * seen
+}
+
+/// Warns of residuals that are larger than the scatter of neighbouring rows.
 pub(super) fn of_scatter(fit: &mut Fit, seen: f64, residual: f64) {
-    if fit.chi2.is_none() && fit.chi2_p.is_none() && fit.rows.len() > 20 && seen > 0.0 && residual > LARGER * seen {
+    if misses(fit, seen, residual) {
         fit.warnings.push(format!(
             "the residuals are {:.1} times as large as the scatter of neighbouring rows, {seen:.2e} {}: the curve misses the data",
             residual / seen,

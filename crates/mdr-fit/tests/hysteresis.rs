@@ -484,3 +484,149 @@ fn rows_that_do_not_count_are_counted() {
     let error = Problem::from_toml(&toml(saturated), "a", &files).unwrap().fit().unwrap_err().to_string();
     assert!(error.contains("at least three rows") && error.contains("4 saturated"), "{error}");
 }
+
+/// Force by the formulas of this file: a paraboloid or another tip by its g and ∫g, pressed in by d.
+struct Own<'t> {
+    tip: &'t Tip,
+    e_star: f64,
+}
+
+impl Own<'_> {
+    fn depth(&self, a: f64, work: f64) -> f64 {
+        (self.tip.formula)(a)[0] - (2.0 * PI * a * work / self.e_star).sqrt()
+    }
+
+    fn force(&self, a: f64, d: f64) -> f64 {
+        2.0 * self.e_star * (a * d - (self.tip.formula)(a)[1])
+    }
+
+    /// The radius at a depth, near another.
+    fn radius(&self, d: f64, work: f64, near: f64) -> f64 {
+        let [mut low, mut high] = [0.97 * near, 1.03 * near];
+        assert!(self.depth(low, work) < d && self.depth(high, work) > d);
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            *if self.depth(middle, work) > d { &mut high } else { &mut low } = middle;
+        }
+        0.5 * (low + high)
+    }
+}
+
+/// Estimates in proved digits, of two works of adhesion and with slope and drift of the baseline, are where the sum of squares of this file's
+/// own formulas has the certified value and its minimum.
+#[cfg(feature = "mp")]
+#[test]
+fn proved_digits_are_at_the_minimum_of_other_formulas() {
+    for (tip, seed) in few_tips().zip(1..) {
+        let record = Record { rows: 24, seed, ..USUAL };
+        let curve = record.curve(&tip);
+        let free = ["e_star", "advancing", "receding", "contact_point", "baseline", "baseline_slope", "baseline_drift"];
+        let fit = record.problem(&tip, &curve, &free).digits(12).fit().unwrap();
+        let certified = fit.certified.as_ref().unwrap_or_else(|| panic!("{}: {:?}", tip.shape.name(), fit.warnings));
+        assert!(certified.local_minimum);
+        let found: Vec<f64> = certified.parameters.iter().map(|estimate| estimate.value.to_f64()).collect();
+        for (estimate, found) in fit.parameters.iter().zip(&found) {
+            let difference = (estimate.value.unwrap() - found).abs() / estimate.stderr.unwrap();
+            assert!(difference < 1e-6, "{}: {difference:e}", estimate.name);
+        }
+        let sum = |numbers: &[f64]| -> f64 {
+            let [e_star, w1, w2, contact_point, baseline, slope, drift] = *numbers else { panic!("seven numbers") };
+            let own = Own { tip: &tip, e_star };
+            let turn = curve.x[record.rows] - contact_point;
+            let pinned = own.radius(turn, w1, tip.widest);
+            let square = |(index, row): (usize, &mdr_fit::FittedRow)| {
+                let d = row.x - contact_point;
+                let force = match row.contact_radius {
+                    None => 0.0,
+                    Some(_) if row.pinned => own.force(pinned, d),
+                    Some(near) => own.force(own.radius(d, if row.leg == Leg::Approach { w1 } else { w2 }, near), d),
+                };
+                let time = index as f64 / (curve.x.len() - 1) as f64;
+                ((force + baseline + slope * d + drift * time - row.y) / curve.sigma).powi(2)
+            };
+            fit.rows.iter().enumerate().map(square).sum()
+        };
+        let least = sum(&found);
+        let stated = certified.rss.to_f64() / curve.sigma.powi(2);
+        assert!((least / stated - 1.0).abs() < 1e-9, "{}: {least} and {stated}", tip.shape.name());
+        for (place, estimate) in certified.parameters.iter().enumerate() {
+            let [below, above] = [-1e-2, 1e-2].map(|step| {
+                let mut moved = found.clone();
+                moved[place] += step * fit.parameters[place].stderr.unwrap();
+                sum(&moved)
+            });
+            // The slope against the curvature, of which 1e-4 is left to terms of third order.
+            let (slope, bend) = (above - below, above + below - 2.0 * least);
+            assert!(bend > 0.0 && slope.abs() < 2e-2 * bend, "{}: {slope:e}, {bend:e}", estimate.name);
+        }
+    }
+}
+
+/// Where a record ends soon after the edge may have begun to recede, the truth is within the errors or above the lower limit.
+#[test]
+fn a_few_rows_do_not_tell_that_the_edge_recedes() {
+    let tip = few_tips().next().unwrap();
+    let mut limited = 0;
+    for (seed, end) in (1..=6).flat_map(|seed| [0.42, 0.46, 0.5].map(|end| (seed, end))) {
+        let record = Record { end, seed, ..USUAL };
+        let curve = record.curve(&tip);
+        let fit = record.problem(&tip, &curve, &FIVE).fit().unwrap();
+        assert_eq!(fit.status, FitStatus::Fitted, "{record:?}: {}", fit.reason);
+        let receding = fit.estimate("receding").unwrap();
+        match (receding.value, receding.stderr) {
+            (Some(value), Some(stderr)) => assert!(((value - 0.04) / stderr).abs() < 4.0, "{record:?}: {receding:?}"),
+            _ => {
+                limited += 1;
+                let limit = fit.limits.iter().find(|limit| limit.name.ends_with("receding")).unwrap();
+                assert!(limit.lower.unwrap() < 0.041, "{record:?}: {limit:?}");
+            }
+        }
+    }
+    assert!((1..18).contains(&limited), "{limited}");
+}
+
+/// A slope of the baseline or a sign that is reversed, of which the problem knows nothing, is named.
+#[test]
+fn what_a_record_has_beside_the_problem_is_named() {
+    let tip = few_tips().next().unwrap();
+    let curve = USUAL.curve(&tip);
+    let warned = |y: &[f64]| {
+        let other = Curve { x: curve.x.clone(), y: y.to_vec(), legs: curve.legs.clone(), ..curve };
+        USUAL.problem(&tip, &other, &FIVE).fit().unwrap().warnings
+    };
+    let has = |warnings: &[String], what: &str| warnings.iter().any(|warning| warning.contains(what));
+    let all = ["looks like", "reversed", "not random", "rough"];
+    let none = warned(&curve.y);
+    assert!(!all.iter().any(|what| has(&none, what)), "{none:?}");
+    let span = curve.x[USUAL.rows] - curve.x[0];
+    let sloped: Vec<f64> =
+        curve.x.iter().zip(&curve.y).map(|(x, y)| y + 8.0 * curve.sigma * (x - curve.x[0]) / span).collect();
+    let warnings = warned(&sloped);
+    assert!(has(&warnings, "with `baseline_slope` free"), "{warnings:?}");
+    let reversed: Vec<f64> = curve.y.iter().map(|y| -y).collect();
+    let warnings = warned(&reversed);
+    assert!(has(&warnings, "with the sign of y reversed"), "{warnings:?}");
+}
+
+/// Two works of adhesion of a contact without any are both zero, with upper limits beyond their scatter.
+#[test]
+fn two_works_may_both_be_zero() {
+    let tip = few_tips().next().unwrap();
+    for seed in 1..=3 {
+        let record = Record { works: [0.0, 1e-9], seed, noise: 1.0, ..USUAL };
+        let adhesive = USUAL.curve(&tip);
+        let mut curve = record.curve(&tip);
+        // Noise as beside adhesion.
+        let mut normal = Normal(77 * seed);
+        curve.sigma = adhesive.sigma;
+        curve.y.iter_mut().for_each(|y| *y += adhesive.sigma * normal.next());
+        let fit = record.problem(&tip, &curve, &FIVE).fit().unwrap();
+        assert_eq!(fit.status, FitStatus::Fitted, "{}", fit.reason);
+        for name in ["work_of_adhesion.advancing", "work_of_adhesion.receding"] {
+            let [value, upper] = [fit.estimate(name).unwrap().value, fit.limits.iter().find(|limit| limit.name == name).and_then(|limit| limit.upper)];
+            let (value, upper) = (value.unwrap(), upper.unwrap_or_else(|| panic!("{name}: {:?}", fit.warnings)));
+            let stderr = fit.estimate(name).unwrap().stderr.unwrap_or(0.0);
+            assert!(upper > value + stderr && upper < 1e-3, "{name}: {value} ± {stderr} below {upper}");
+        }
+    }
+}

@@ -12,11 +12,13 @@ use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 
 mod linear;
 mod rows;
+mod sheets;
 
 use self::linear::{inverse, midpoints, points, solve};
 use self::rows::{Residual, Row};
+use self::sheets::Pinned;
 use super::answer::{CertifiedEstimate, CertifiedFit};
-use super::contact::{Contact, Numbers, Tip};
+use super::contact::{Numbers, Tip};
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::observation::Loss;
@@ -68,6 +70,8 @@ struct Proof<'a> {
     objective: &'a Objective<'a>,
     precision: Precision,
     rows: Vec<Row>,
+    /// Where the edge of the contact is pinned on each sheet of the minimum.
+    pins: Vec<Option<Pinned>>,
     numbers: Vec<Interval>,
     priors: Vec<Prior>,
 }
@@ -113,12 +117,6 @@ fn possible(objective: &Objective<'_>, minimum: &Minimum) -> std::result::Result
         "with the place of the pull-off as a datum"
     } else if (0..fitted.len()).any(|place| objective.at_bound(place, fitted[place])) {
         "of a number at its bound"
-    } else if problem.has_two_works() {
-        "with two works of adhesion"
-    } else if minimum.evaluation.numbers.trends.iter().any(|trend| *trend != 0.0) {
-        "with a slope or a drift"
-    } else if minimum.evaluation.numbers.work == 0.0 {
-        "without adhesion"
     } else if !problem.medium.is_half_space() {
         "on another medium than a half-space"
     } else if !matches!(problem.profile, Profile::Shape(_)) {
@@ -138,13 +136,14 @@ impl<'a> Proof<'a> {
     /// A sentence that says which row has no proof, or that a number is out of range.
     fn new(objective: &'a Objective<'a>, minimum: &Minimum, precision: Precision) -> std::result::Result<Self, String> {
         let rows = rows::rows(objective, minimum, precision)?;
+        let pins = sheets::pins(objective, minimum, precision)?;
         let number = |parameter: &super::problem::Parameter| exact(precision, parameter.value.unwrap_or(0.0));
         let numbers = objective.problem.parameters.iter().map(number).collect::<Option<_>>().ok_or(OUT_OF_RANGE)?;
         let prior = |(place, [mean, sd]): (usize, [f64; 2])| {
             Some(Prior { place, mean: exact(precision, mean)?, sd: exact(precision, sd)? })
         };
         let priors = objective.priors().map(prior).collect::<Option<_>>().ok_or(OUT_OF_RANGE)?;
-        Ok(Proof { objective, precision, rows, numbers, priors })
+        Ok(Proof { objective, precision, rows, pins, numbers, priors })
     }
 
     /// All numbers at fitted values of which one is seeded.
@@ -190,13 +189,13 @@ impl<'a> Proof<'a> {
             let numbers = self.numbers(fitted, seed);
             let free = self.objective.free_of_profile();
             let tip = Tip::new(problem, self.precision, &numbers.profile, &free)?;
-            let contact = Contact::new(&tip, numbers, problem.observation);
             let kinds: Vec<Kind> = (0..count).map(|place| self.objective.kind(place)).collect();
+            let contacts = sheets::contacts(&tip, &numbers, problem.observation, &self.pins, &kinds)?;
             for row in &self.rows {
-                row.residuals(&contact, &kinds)?.iter().for_each(|residual| normal.add(residual, seed));
+                row.residuals(&contacts, &kinds)?.iter().for_each(|residual| normal.add(residual, seed));
             }
             for prior in &self.priors {
-                normal.add(&self.prior_residual(prior, &contact.numbers), seed);
+                normal.add(&self.prior_residual(prior, &numbers), seed);
             }
         }
         Ok(normal)

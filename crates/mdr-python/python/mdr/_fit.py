@@ -110,7 +110,10 @@ class Fit:
         self.validity: dict[str, Any] | None = _numbers(answer["validity"], _double)
         """Whether the theory holds for the fitted contact, where ``range_of_adhesion`` is given."""
         self.legs: list[dict[str, Any]] = answer["legs"]
-        """Each leg with its rows and its residuals: ``leg``, ``rows``, ``in_contact``, ``pinned``, ``mean_square``, ``runs_test``."""
+        """Each leg with its rows and its residuals: ``leg``, ``rows``, ``in_contact``, ``pinned``, ``mean_square``, ``runs_test``,
+        ``autocorrelation``."""
+        self.autocorrelation: dict[str, float] | None = answer["autocorrelation"]
+        """Whether neighbouring residuals are alike: ``lag_one``, ``z``, ``p`` of white noise, and ``widening``, the factor of standard errors."""
         self.quantities: dict[str, dict[str, Any]] = {each["name"]: each for each in answer["quantities"]}
         """``adhesion_force``, ``pull_off_force`` and ``separation_work`` of the fitted curve, and with ``_measured`` of the rows.
 
