@@ -248,11 +248,7 @@ pub(super) fn improve(
     }
 }
 
-fn lowest_near(
-    objective: &mut Objective<'_>,
-    start: &[f64],
-    evaluations: usize,
-) -> mdr_core::contact::Result<Minimum> {
+fn lowest_near(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
     objective.at_fold.clear();
     let free = descended(objective, start, evaluations)?;
     let found = settled(objective, free, start)?;

@@ -14,6 +14,9 @@ use super::start::Source;
 /// The fall of the sum of squares, in variances, for which a slope or a drift is named: five standard deviations.
 const FALL: f64 = 25.0;
 
+/// The most rows of a record in which a slope or a drift is looked for, which takes as long as some further evaluations.
+const ROWS: usize = 100_000;
+
 /// How many times smaller the sum of squares is with a sign reversed before that is named.
 const REVERSED: f64 = 4.0;
 
@@ -33,6 +36,9 @@ pub(super) fn trend(objective: &Objective<'_>, errors: &Errors<'_>, minimum: &Mi
         let parameter = &problem.parameters[*index];
         parameter.kind.is_trend() && !parameter.free && parameter.value == Some(0.0)
     };
+    if problem.rows.len() > ROWS {
+        return None;
+    }
     let falls = (0..problem.parameters.len()).filter(given).filter_map(|index| Some((index, fall(index)?)));
     let (index, fall) = falls.max_by(|one, other| one.1.total_cmp(&other.1))?;
     let rest = (minimum.evaluation.cost() - fall).max(0.0) / dof.max(1) as f64;

@@ -623,7 +623,10 @@ fn two_works_may_both_be_zero() {
         let fit = record.problem(&tip, &curve, &FIVE).fit().unwrap();
         assert_eq!(fit.status, FitStatus::Fitted, "{}", fit.reason);
         for name in ["work_of_adhesion.advancing", "work_of_adhesion.receding"] {
-            let [value, upper] = [fit.estimate(name).unwrap().value, fit.limits.iter().find(|limit| limit.name == name).and_then(|limit| limit.upper)];
+            let [value, upper] = [
+                fit.estimate(name).unwrap().value,
+                fit.limits.iter().find(|limit| limit.name == name).and_then(|limit| limit.upper),
+            ];
             let (value, upper) = (value.unwrap(), upper.unwrap_or_else(|| panic!("{name}: {:?}", fit.warnings)));
             let stderr = fit.estimate(name).unwrap().stderr.unwrap_or(0.0);
             assert!(upper > value + stderr && upper < 1e-3, "{name}: {value} ± {stderr} below {upper}");
