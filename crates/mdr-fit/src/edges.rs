@@ -22,8 +22,10 @@ const INSIDE: usize = 3;
 /// Rows that are looked at.
 const ROWS: usize = 80;
 
-/// The share of the lower end of a leg that retracts, where the edge is hardly pinned any more.
+/// The share of the lower end of a leg that retracts, from its smallest force up, where the edge is hardly pinned any more; with an approach, which
+/// tells more, and without.
 const LOWER: [f64; 2] = [1.0, 0.5];
+const LOWER_ALONE: [f64; 5] = [1.0, 0.7, 0.45, 0.25, 0.12];
 
 /// Starts by each leg alone.
 pub(super) fn from_legs(objective: &Objective<'_>, problem: &Problem, source: Source) -> Vec<(&'static str, Start)> {
@@ -36,9 +38,15 @@ pub(super) fn from_legs(objective: &Objective<'_>, problem: &Problem, source: So
     for (leg, edge, name) in
         [(Leg::Approach, Edge::Advancing, "approach-alone"), (Leg::Retract, Edge::Receding, "retract-alone")]
     {
-        let shares: &[f64] = if leg == Leg::Retract { &LOWER } else { &LOWER[..1] };
+        let shares: &[f64] = match leg {
+            Leg::Approach => &LOWER[..1],
+            Leg::Retract if problem.rows.iter().any(|row| row.leg == Leg::Approach) => &LOWER,
+            Leg::Retract => &LOWER_ALONE,
+        };
+        let of_leg = problem.rows.iter().filter(|row| row.leg == leg);
+        let lowest = of_leg.min_by(|one, other| one.y.total_cmp(&other.y)).map_or(ends[0], |row| row.x);
         for share in shares {
-            let Some(alone) = alone(problem, leg, edge, ends[0] + share * span) else { continue };
+            let Some(alone) = alone(problem, leg, edge, lowest + share * (ends[1] - lowest)) else { continue };
             for (_, [e_star, work, contact_point, baseline]) in from_data(&alone, source).into_iter().take(OF_A_LEG) {
                 let start = Start { e_star, works: [work; 2], contact_point, baseline };
                 starts.extend(searched(&search, start, edge, span).into_iter().map(|start| (name, start)));
