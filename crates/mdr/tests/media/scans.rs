@@ -93,7 +93,8 @@ fn scan(kind: &str, contacts: usize) {
             let value = |a: f64| held(state(a));
             // Folds that rise above the rounding of the closed form: elsewhere a scan sees what is none, or not what is one.
             let is_seen = |a: f64| {
-                let [below, here, above] = [a / 1.1, a, if kind == "periodic" { a + 0.05 * (0.5 - a) } else { 1.1 * a }].map(value);
+                let [below, here, above] =
+                    [a / 1.1, a, if kind == "periodic" { a + 0.05 * (0.5 - a) } else { 1.1 * a }].map(value);
                 (below - here).abs().min((above - here).abs()) > 1e-8 * here.abs()
             };
             let turns = (-1800..1200).filter_map(|i| {
