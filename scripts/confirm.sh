@@ -19,5 +19,12 @@ fi
 
 status=0
 "$python" tests/confirm_records.py || status=$?
+if [ "$status" -eq 0 ]; then
+    # Certificates: those of the tests, each with every fault that has to be refused; and those of the records where they were written
+    # (mdr reference --certificates target/certificates.jsonl).
+    "$python" tests/certificates/refuse.py
+    "$python" scripts/check_certificates.py tests/certificates/*.json
+    [ ! -f target/certificates.jsonl ] || "$python" scripts/check_certificates.py target/certificates.jsonl
+fi
 # 77: python-flint could not be installed; the script has said so.
 [ "$status" -eq 77 ] || exit "$status"

@@ -15,6 +15,7 @@ pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 21] = [
     ("docs/figures.md", "figures", Shelf::Front),
     ("docs/errata.md", "errata", Shelf::Front),
     ("docs/reference/README.md", "reference", Shelf::Numbers),
+    ("docs/certificates.md", "certificates", Shelf::Numbers),
     ("docs/judged.md", "judged", Shelf::Numbers),
     ("docs/accuracy.md", "accuracy", Shelf::Numbers),
     ("docs/report/README.md", "report", Shelf::Numbers),

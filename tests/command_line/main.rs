@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod budgets;
+mod certificate;
 mod cite;
 mod critical;
 mod decimal;

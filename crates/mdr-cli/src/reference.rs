@@ -38,6 +38,10 @@ pub(crate) struct Reference {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["filter", "export"])]
     generate: Option<PathBuf>,
 
+    /// Write a certificate for each contact whose folds or equilibria are records (JSON lines)
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["filter", "table", "export", "generate", "data_sets"])]
+    certificates: Option<PathBuf>,
+
     /// Shape of the result
     #[arg(long, value_enum, default_value_t = Format::Table)]
     format: Format,
@@ -64,6 +68,9 @@ impl Reference {
         }
         if let Some(folder) = &self.data_sets {
             return data_sets(folder, out).map(|()| true);
+        }
+        if let Some(file) = &self.certificates {
+            return certificates(file, out);
         }
         match &self.table {
             Some(Some(name)) => return self.table(name, out).map(|()| true),
@@ -122,6 +129,21 @@ fn generate(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<bool
         out.text(format_args!("{}: {} records", path.display(), content.lines().count()))?;
     }
     Ok(true)
+}
+
+/// Writes the certificates of the records into a file; whether each contact has one.
+fn certificates(file: &Path, out: &mut Output<impl std::io::Write>) -> Result<bool> {
+    let (lines, without) = match mdr_records::certificates() {
+        Ok(certificates) => certificates,
+        Err(error) => {
+            out.text(error)?;
+            return Ok(false);
+        }
+    };
+    files::write("--certificates", file, &lines)?;
+    out.text(format_args!("{}: {} certificates", file.display(), lines.lines().count()))?;
+    without.iter().try_for_each(|why| out.text(format_args!("without a certificate: {why}")))?;
+    Ok(without.is_empty())
 }
 
 /// Writes the data sets into a folder.

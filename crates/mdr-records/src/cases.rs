@@ -161,6 +161,11 @@ fn known<T>(what: &str, key: &str, entry: Option<T>) -> Result<T> {
 }
 
 impl Case {
+    /// The kind of the case in the data.
+    pub(crate) fn kind(&self) -> &str {
+        &self.row.kind
+    }
+
     /// Where it is asked.
     pub(crate) fn value(&self) -> Result<Literal> {
         number(&self.at)

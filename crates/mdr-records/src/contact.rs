@@ -38,6 +38,15 @@ pub(crate) struct Model<R> {
 const STIFFNESS: &str = "k";
 
 impl CaseContact {
+    /// Whether profile, material, control and range are equal, number by number.
+    pub(crate) fn is_same(&self, other: &CaseContact) -> bool {
+        let all = |contact: &CaseContact| {
+            let numbers: Vec<_> = contact.inputs().into_iter().map(|(key, number)| (key, number.clone())).collect();
+            (contact.profile_name(), numbers, contact.symbol(), contact.range.clone())
+        };
+        all(self) == all(other)
+    }
+
     /// As scenes name it.
     pub(crate) fn profile_name(&self) -> &'static str {
         match self.terms.as_slice() {

@@ -21,6 +21,7 @@
 
 mod builder;
 mod cases;
+mod certificates;
 mod confirm;
 mod contact;
 mod edges;
@@ -43,6 +44,8 @@ use rug::Float;
 use thiserror::Error as ThisError;
 
 use cases::Case;
+
+pub use certificates::certificates;
 
 /// The significant digits of every record.
 const DIGITS: u32 = 50;

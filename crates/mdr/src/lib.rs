@@ -103,6 +103,8 @@
 #![forbid(unsafe_code)]
 
 pub mod answer;
+#[cfg(all(feature = "mp", feature = "serde"))]
+mod certificate;
 pub mod columns;
 pub mod critical;
 pub mod diagram;

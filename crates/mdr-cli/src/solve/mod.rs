@@ -54,6 +54,10 @@ pub(crate) struct Solve {
     #[command(flatten)]
     style: StyleFlags,
 
+    /// Write a certificate of the folds, equilibria and path: boxes and cells for a small program to check (JSON)
+    #[arg(long, value_name = "FILE")]
+    certificate: Option<PathBuf>,
+
     /// Work for each output, in seconds of a fast machine (counted, not timed); what it does not suffice for is undecided
     #[arg(long, value_name = "SECONDS", default_value_t = BUDGET.to_string())]
     budget: String,
@@ -81,6 +85,10 @@ impl Solve {
         match &self.out {
             Some(folder) => render::write_files(&scene, &answer, folder, &style, out)?,
             None => render::write(&answer, self.format, &style, out)?,
+        }
+        if let Some(file) = &self.certificate {
+            let certificate = scene.certificate(&answer)?;
+            files::write("--certificate", file, mdr_provenance::json(&certificate).into_owned() + "\n")?;
         }
         self.picture.draw(|| picture(&scene, &self.scene)).map_err(not_drawn)?;
         if self.explain { explain::write(&progress.costs) } else { Ok(()) }

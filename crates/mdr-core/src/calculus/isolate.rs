@@ -24,6 +24,8 @@ pub enum Behaviour {
 pub struct Isolation<R> {
     /// One bracket for each sign change, ascending.
     pub brackets: Vec<Bracket<R>>,
+    /// The decided cells, ascending, each with the function at its ends: opposite signs around one zero, one sign without any.
+    pub cells: Vec<[Sample<R>; 2]>,
     /// Intervals that may contain further zeros, ascending: double zeros, pairs closer than √u relative to x, and cells
     /// left when the budget is spent. Outside of them the brackets are proved to contain all zeros, one each.
     pub undecided: Vec<(R, R)>,
@@ -72,6 +74,7 @@ pub fn isolate<R: Real>(
     };
     let mut cells = vec![[sample(lower)?, sample(upper)?]];
     let mut brackets: Vec<Bracket<R>> = Vec::new();
+    let mut decided: Vec<[Sample<R>; 2]> = Vec::new();
     let mut undecided = Vec::new();
     while !cells.is_empty() {
         let mut next = Vec::new();
@@ -81,8 +84,9 @@ pub fn isolate<R: Real>(
                 continue;
             }
             match test(&lower.x, &upper.x)? {
-                Behaviour::Nonzero => {}
+                Behaviour::Nonzero => decided.push([lower, upper]),
                 Behaviour::Monotone if lower.differs(&upper) || lower.agrees(&upper) => {
+                    decided.push([lower.clone(), upper.clone()]);
                     brackets.extend(Bracket::between(lower, upper, 0));
                 }
                 _ => {
@@ -98,7 +102,8 @@ pub fn isolate<R: Real>(
         cells = next;
     }
     brackets.sort_by(|one, other| order(&one.lower.x, &other.lower.x));
-    Ok(Isolation { brackets, undecided: merge(undecided), evaluations: evaluations.get() })
+    decided.sort_by(|one, other| order(&one[0].x, &other[0].x));
+    Ok(Isolation { brackets, cells: decided, undecided: merge(undecided), evaluations: evaluations.get() })
 }
 
 /// Whether a double zero and a pair of zeros can no longer be separated.

@@ -6,7 +6,7 @@ use mdr_core::contact::Result;
 use mdr_core::number::{Interval, Real};
 use rug::Float;
 
-use super::{ProvedBranches, kinks};
+use super::{ProvedBranches, Trend, kinks};
 use crate::path::{ContactState, EventKind, Path};
 
 /// The range on which the condition is enclosed at both ends, in octaves: contact radii of 2^±1048576 m.
@@ -33,28 +33,31 @@ impl ProvedBranches {
             ContactState::Detached => false,
             ContactState::Complete => true,
         }) || path.events.iter().any(|event| event.kind == EventKind::EndOfProfile);
-        let free = (!inwards || self.is_free_inwards()?) && (!outwards || self.is_free_outwards()?);
+        let free = (!inwards || self.inwards()?.is_some()) && (!outwards || self.outwards_is_free()?);
         if free { Ok(()) } else { Err(self.curve.undecided("whether folds lie outside the radii of the proof")) }
     }
 
-    /// Whether the condition certainly has one sign from the tip to the range.
-    fn is_free_inwards(&self) -> Result<bool> {
+    /// The trend of the controlled quantity from the tip to the range, if the tangency condition certainly has one sign there.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub fn inwards(&self) -> Result<Option<Trend>> {
         let (lower, _) = self.range();
         let last = octave(lower);
         let end = |octave: f64| if octave < last { self.power(octave) } else { lower.clone() };
-        self.has_one_sign([-FAR, last], end)
+        Ok(self.one_sign([-FAR, last], end)?.map(|sign| Trend::between(sign, sign)))
     }
 
     /// Whether it has one sign from the range outwards, to 2⁻ᵖ before an outer radius at a precision of p bits.
-    fn is_free_outwards(&self) -> Result<bool> {
+    fn outwards_is_free(&self) -> Result<bool> {
         let (_, upper) = self.range();
         if self.edge.is_some() || self.equator.is_some() {
             return Ok(true);
         }
         let Some(outer) = self.curve.plain.transform().outer_radius() else {
             let first = octave(upper);
-            return self
-                .has_one_sign([first, FAR], |octave| if octave > first { self.power(octave) } else { upper.clone() });
+            let end = |octave: f64| if octave > first { self.power(octave) } else { upper.clone() };
+            return Ok(self.one_sign([first, FAR], end)?.is_some());
         };
         let outer = outer.lower();
         let [first, last] = [
@@ -63,32 +66,32 @@ impl ProvedBranches {
         ];
         let before =
             |octave: f64| if octave > first { kinks::shifted(outer, -1, octave as u32) } else { upper.clone() };
-        if first < last { self.has_one_sign([first, last], |octave| before(octave.floor())) } else { Ok(true) }
+        Ok(first >= last || self.one_sign([first, last], |octave| before(octave.floor()))?.is_some())
     }
 
     fn power(&self, octave: f64) -> Float {
         Float::with_val(self.curve.precision().bits(), octave).exp2()
     }
 
-    /// Whether the condition has one sign, and no zero, on all radii between two octaves, which are halved until it is
-    /// certain.
-    fn has_one_sign(&self, [first, last]: [f64; 2], end: impl Fn(f64) -> Float) -> Result<bool> {
+    /// The sign of the condition on all radii between two octaves, which are halved until it is certain; `None` where it has
+    /// both signs, or stays open.
+    fn one_sign(&self, [first, last]: [f64; 2], end: impl Fn(f64) -> Float) -> Result<Option<Ordering>> {
         let mut open = vec![(first, last)];
         let mut sign = None;
         for _ in 0..CELLS {
-            let Some((from, to)) = open.pop() else { return Ok(true) };
+            let Some((from, to)) = open.pop() else { return Ok(sign) };
             let condition = self.curve.condition(&Interval::new(end(from), end(to)))?;
             match condition.partial_cmp(&condition.lit(0)) {
                 Some(order) if order != Ordering::Equal && sign.is_none_or(|sign| sign == order) => sign = Some(order),
-                Some(_) => return Ok(false),
-                None if to - from < 1e-3 => return Ok(false),
+                Some(_) => return Ok(None),
+                None if to - from < 1e-3 => return Ok(None),
                 None => {
                     let middle = 0.5 * (from + to);
                     open.extend([(from, middle), (middle, to)]);
                 }
             }
         }
-        Ok(false)
+        Ok(None)
     }
 }
 

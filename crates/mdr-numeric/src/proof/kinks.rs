@@ -7,7 +7,7 @@ use mdr_core::number::{Interval, Real};
 use rug::Float;
 use rug::float::Special;
 
-use super::{EnclosedCurve, ProvedFolds};
+use super::{EnclosedCurve, ProvedCell, ProvedFolds, Trend};
 
 /// Relative distances 2^−k from a kink at which the range may be cut, in the order in which they are tried.
 pub(super) const MARGINS: [u32; 4] = [6, 12, 24, FINEST];
@@ -135,6 +135,7 @@ impl EnclosedCurve {
             found.undecided.push((gap.before, gap.after));
             return Ok(());
         };
+        found.cells.push(known.cell(&gap.before, &gap.after));
         let Some(kind) = known.fold() else { return Ok(()) };
         match &known.kink.value {
             Some((g, mean)) => found.folds.push(self.state_at_kink(&gap.radius, g, mean, kind)),
@@ -168,6 +169,16 @@ impl EnclosedCurve {
 }
 
 impl Known {
+    /// The interval around the kink; it ends at a vertical edge, where the controlled quantity increases at last.
+    fn cell(&self, from: &Float, to: &Float) -> ProvedCell {
+        let (below, above) = self.signs;
+        ProvedCell {
+            from: from.clone(),
+            to: to.clone(),
+            trend: Trend::between(below, above.unwrap_or(Ordering::Greater)),
+        }
+    }
+
     /// Whether the controlled quantity has an extremum there. At a vertical edge the contact has a branch of its own,
     /// on which the controlled quantity increases.
     fn fold(&self) -> Option<FoldKind> {

@@ -10,6 +10,7 @@
 //! beside it.
 
 mod branches;
+mod cells;
 mod continuation;
 mod ends;
 mod energy;
@@ -21,6 +22,7 @@ mod overlap;
 mod range;
 
 pub use branches::ProvedBranches;
+pub use cells::{ProvedCell, Trend};
 pub use continuation::Continuation;
 pub use energy::{EnclosedEnergy, StoredEnergy};
 pub use extrema::rises_from;
@@ -66,11 +68,19 @@ pub struct ProvedFolds {
     /// Parts of the range that may contain further folds: around kinks without known bounds, where two folds nearly
     /// merge, and cells left when the budget is spent.
     pub undecided: Vec<(Float, Float)>,
+    /// The decided parts of the range, ascending, and how the controlled quantity behaves on each.
+    pub cells: Vec<ProvedCell>,
     /// Evaluations of the tangency condition.
     pub evaluations: usize,
 }
 
 impl ProvedFolds {
+    /// Nothing found yet on a range.
+    fn on(range: (Float, Float)) -> Self {
+        let (folds, poles, undecided, cells) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        ProvedFolds { range, folds, poles, undecided, cells, evaluations: 0 }
+    }
+
     /// Whether the folds are proved to be all in the range.
     pub fn is_complete(&self) -> bool {
         self.undecided.is_empty()
@@ -107,8 +117,7 @@ impl EnclosedCurve {
         if end.as_ref().is_some_and(|end| lower >= end) {
             return Err(Error::domain(Quantity::Radius, lower, "below the outer radius of the profile"));
         }
-        let mut found =
-            ProvedFolds { range, folds: Vec::new(), poles: Vec::new(), undecided: Vec::new(), evaluations: 0 };
+        let mut found = ProvedFolds::on(range);
         let mut from = lower.clone();
         for gap in self.gaps(lower, upper)? {
             self.smooth_part(&from, &gap.before, budget, &mut found)?;
@@ -149,6 +158,7 @@ impl EnclosedCurve {
                 None => found.undecided.push((cell.lower().clone(), cell.upper().clone())),
             }
         }
+        found.cells.extend(isolation.cells.iter().map(ProvedCell::of));
         let ends = |(a, b): (Interval, Interval)| (a.lower().clone(), b.upper().clone());
         found.undecided.extend(isolation.undecided.into_iter().map(ends));
         found.evaluations += isolation.evaluations;

@@ -36,6 +36,9 @@ pub enum Profile {
 /// A formula for f(r) with the values of its parameters.
 #[derive(Clone, Debug)]
 pub struct Formula {
+    /// As it was written.
+    #[cfg(all(feature = "mp", feature = "serde"))]
+    pub(crate) text: String,
     pub(crate) expression: Expression,
     pub(crate) parameters: BTreeMap<String, Literal>,
     #[cfg(feature = "mp")]
@@ -116,6 +119,8 @@ impl Formula {
             );
         }
         Ok(Formula {
+            #[cfg(all(feature = "mp", feature = "serde"))]
+            text: text.to_owned(),
             expression,
             parameters,
             #[cfg(feature = "mp")]

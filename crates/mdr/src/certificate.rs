@@ -1,0 +1,235 @@
+//! Certificates: what a small program needs to check an answer without trust in this one.
+//!
+//! The controlled quantity C(a) of the equilibria with contact radius a is given by the definitions (1.1) and (1.4) to (1.6)
+//! alone. A certificate divides the range of radii into cells and says of each that C rises, falls, or does one after the
+//! other. Each is a claim about a function that its reader computes, from the heights f(r), by integrals of his own; that the
+//! cells leave no gap is seen by their ends. Folds are the cells where C turns, equilibria the cells at whose ends C is on
+//! either side of the value, and a path follows from both. `scripts/check_certificates.py` is such a reader.
+
+use std::cmp::Ordering;
+
+use mdr_core::contact::{Control, Flank, Shape};
+use mdr_core::number::{Literal, Precision, Real};
+use mdr_numeric::path::Start as PathStart;
+use mdr_numeric::proof::{ProvedBranches, Trend};
+use rug::Float;
+use serde_json::{Map, Value, json};
+
+use crate::answer::{Answer, Promise};
+use crate::error::{Error, Result};
+use crate::run::Stop;
+use crate::scene::{Profile, Scene};
+use crate::solve::certified::Certified;
+use crate::solve::proof::{Enclosed, FoldProof};
+
+/// Names the keys of a certificate and their meaning.
+const SCHEMA: &str = "mdr.certificate/1";
+/// How far the cells of a certificate extend beyond the contact radii of the answer.
+const REACH: f64 = 16.0;
+
+impl Scene {
+    /// The certificate of an answer to this scene, as one line of JSON, schema `mdr.certificate/1`; docs/certificates.md has its
+    /// keys.
+    ///
+    /// ```
+    /// use mdr::prelude::*;
+    /// let ball = Scene::new(Shape::Paraboloid { radius: 1 }, Elasticity::effective(1)?, "0.01")?.want(Want::Folds { range: None });
+    /// let certificate = ball.certificate(&ball.solve()?)?;
+    /// assert!(certificate.contains(r#""trend":"minimum""#));
+    /// # Ok::<(), mdr::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A scene without folds, equilibria or a path; an answer in f64, or one that is not proved; a profile of measured rows, two
+    /// works of adhesion, or another medium than a half-space; folds that are not proved to be all.
+    pub fn certificate(&self, answer: &Answer) -> Result<String> {
+        let refuse = |key: &'static str, why: &str| self.places.of(key).refuse(why.to_owned());
+        if !self.pressed_into().is_half_space() {
+            return Err(refuse("medium", "a certificate speaks of a half-space"));
+        }
+        if self.has_two_works() {
+            return Err(refuse("material.work_of_adhesion", "a certificate speaks of one work of adhesion"));
+        }
+        let certified = |output: &&crate::answer::Output| {
+            matches!(output.kind().name(), "folds" | "equilibria" | "path") && output.promise() == Promise::Certified
+        };
+        let outputs: Map<String, Value> = answer
+            .outputs
+            .iter()
+            .filter(certified)
+            .map(|output| (output.kind().name().to_owned(), json!(output.rows())))
+            .collect();
+        if outputs.is_empty() {
+            let why = "a certificate needs certified folds, equilibria or a path among the outputs";
+            return Err(refuse("output.want", why));
+        }
+        let mut certificate = Map::new();
+        certificate.insert("schema".to_owned(), json!(SCHEMA));
+        certificate.extend(self.contact_in_words()?);
+        certificate.insert("digits".to_owned(), json!(answer.arithmetic.digits()));
+        let radii = radii(&outputs).ok_or_else(|| {
+            refuse("output.want", "a certificate has every contact radius as a number in the range of f64")
+        })?;
+        let cells = self.cells(&radii)?;
+        let range = [cells.first().map(|cell| &cell["from"]), cells.last().map(|cell| &cell["to"])];
+        certificate.insert("range".to_owned(), json!(range));
+        certificate.insert("cells".to_owned(), cells.into());
+        certificate.extend(outputs);
+        Ok(Value::Object(certificate).to_string())
+    }
+
+    /// The contact by its definitions.
+    fn contact_in_words(&self) -> Result<Map<String, Value>> {
+        let text = |number: &Literal| json!(number.to_string());
+        let mut contact = Map::new();
+        let mut terms = Vec::new();
+        let mut edge = None;
+        describe(&self.profile, &mut terms, &mut edge)
+            .map_err(|why| self.places.of("profile").refuse(why.to_owned()))?;
+        contact.insert("profile".to_owned(), terms.into());
+        contact.insert("edge".to_owned(), edge.as_ref().map_or(Value::Null, text));
+        contact.insert("e_star".to_owned(), text(&self.effective_modulus));
+        contact.insert("work_of_adhesion".to_owned(), text(&self.work_of_adhesion));
+        contact.insert("control".to_owned(), json!(self.control.kind().name()));
+        if let Control::Machine { stiffness } = &self.control {
+            contact.insert("stiffness".to_owned(), text(stiffness));
+        }
+        if !self.path.is_empty() {
+            contact.insert("way".to_owned(), self.path.iter().map(text).collect::<Vec<_>>().into());
+            let start = match &self.start {
+                PathStart::Largest => json!("largest"),
+                PathStart::Smallest => json!("smallest"),
+                PathStart::Nearest(radius) => text(radius),
+                PathStart::Detached => json!("detached"),
+            };
+            contact.insert("start".to_owned(), start);
+        }
+        Ok(contact)
+    }
+
+    /// The one cell of a power law that is not on a machine, with its only fold: √a g' is a power of a.
+    fn cells_of_law(&self, radii: &[f64]) -> Option<Vec<Value>> {
+        let [n, _] = self.profile.exact_power_law(Literal::to_rational)?;
+        let half = rug::Rational::from((1, 2));
+        let trend = match n.to_rational().cmp(&half) {
+            Ordering::Greater => Trend::Minimum,
+            Ordering::Less => Trend::Maximum,
+            Ordering::Equal => return None,
+        };
+        let last = REACH * radii.iter().copied().fold(0.0, f64::max);
+        let usable = last.is_normal() && !matches!(self.control, Control::Machine { .. });
+        usable.then(|| vec![json!({"from": "0", "to": exact(&Float::with_val(53, last)), "trend": trend.name()})])
+    }
+
+    /// The cells of the proof of all folds; one below the range, to the tip, where C is known to be monotone there.
+    ///
+    /// They end at [`REACH`] times the largest of the `radii` in the answer and of the kinks, since a reader's integrals over many
+    /// waves are slow; and before the end of a profile, where they converge slowly.
+    fn cells(&self, radii: &[f64]) -> Result<Vec<Value>> {
+        if let Some(cells) = self.cells_of_law(radii) {
+            return Ok(cells);
+        }
+        let counts = Stop::default().counts();
+        let certified = Certified::new(self, answer_digits(self), &counts);
+        let open = "the folds are not proved to be all, and a certificate would be incomplete";
+        let refuse = |why: &str| self.places.of("output.want").refuse(why.to_owned());
+        let proof = certified.fold_proof().map_err(Error::from)?.ok_or_else(|| refuse(open))?;
+        let FoldProof { proved, complete } = proof;
+        if !complete.proved {
+            return Err(refuse(&format!("{open}: {}", complete.why)));
+        }
+        let curve = Enclosed::new(&certified, Precision::new(128))?.curve();
+        let transform = curve.plain().transform();
+        let kinks = transform.kinks().iter().map(Real::approx).collect::<Vec<_>>();
+        let edge = curve.plain().vertical_edge().map(|edge| edge.approx());
+        let folds = proved.folds.iter().map(|fold| fold.contact_radius.approx());
+        let largest = radii.iter().copied().chain(kinks).chain(edge).chain(folds).fold(0.0, f64::max);
+        let outer = transform.outer_radius().map(|outer| outer.approx());
+        let last = outer.map_or(f64::MAX, |outer| largest + 0.875 * (outer - largest)).min(REACH * largest);
+        let pole = proved.poles.first().map_or(f64::MAX, |pole| 0.999 * pole.contact_radius.lower().to_f64());
+        if proved.folds.iter().any(|fold| fold.contact_radius.approx() >= pole) {
+            return Err(refuse("a certificate speaks of radii below a pole of g, and there are folds beyond one"));
+        }
+        let last = Float::with_val(53, last.min(pole));
+        let cell = |from: Value, to: Value, trend: Trend| json!({"from": from, "to": to, "trend": trend.name()});
+        let end = |end: &Float| json!(exact(end));
+        let mut cells: Vec<Value> = proved
+            .cells
+            .iter()
+            .filter(|known| known.from < last)
+            .map(|known| cell(end(&known.from), end(if known.to < last { &known.to } else { &last }), known.trend))
+            .collect();
+        if let Ok(branches) = ProvedBranches::new(curve, proved)
+            && let Ok(Some(trend)) = branches.inwards()
+        {
+            cells.insert(0, cell(json!("0"), end(&proved.range.0), trend));
+        }
+        Ok(cells)
+    }
+}
+
+/// All contact radii, at any depth; `None` if one is out of the range of f64.
+fn radii(outputs: &Map<String, Value>) -> Option<Vec<f64>> {
+    let mut found = Vec::new();
+    let mut open: Vec<&Value> = outputs.values().collect();
+    while let Some(value) = open.pop() {
+        match value {
+            Value::Array(rows) => open.extend(rows),
+            Value::Object(row) => {
+                if row.keys().any(|key| key.starts_with("log10_")) {
+                    return None;
+                }
+                let keys = ["contact_radius", "to_contact_radius"].into_iter();
+                for text in keys.filter_map(|key| row.get(key)?.as_str()) {
+                    found.push(text.parse::<f64>().ok().filter(|a| a.is_normal())?);
+                }
+                open.extend(row.values());
+            }
+            _ => {}
+        }
+    }
+    Some(found)
+}
+
+/// The working digits of a scene, of which the cells do not depend.
+fn answer_digits(scene: &Scene) -> u32 {
+    scene.arithmetic.digits().unwrap_or(crate::scene::DEFAULT_DIGITS)
+}
+
+/// A binary number as the decimal that it is, so that neighbours have one end.
+fn exact(number: &Float) -> String {
+    number.to_string_radix(10, None)
+}
+
+/// The heights of a profile as terms of a sum, each a formula with its parameters, and the radius of a vertical edge.
+fn describe(
+    profile: &Profile,
+    terms: &mut Vec<Value>,
+    edge: &mut Option<Literal>,
+) -> std::result::Result<(), &'static str> {
+    match profile {
+        Profile::Shape(shape) => {
+            if let Shape::FlatPunch { radius } = shape {
+                *edge = Some(radius.clone());
+            }
+            let values = shape.parameters().into_iter().map(|(key, value)| match (key, shape.flank()) {
+                ("half_angle_degrees", Some(Flank::HalfAngleDegrees(_))) => {
+                    format!("cos(pi*({value})/180)/sin(pi*({value})/180)")
+                }
+                _ => value.to_string(),
+            });
+            let parameters: Map<String, Value> =
+                shape.symbols().iter().map(|symbol| (*symbol).to_owned()).zip(values.map(Value::from)).collect();
+            terms.push(json!({"f": shape.text(), "parameters": parameters}));
+        }
+        Profile::Sum(parts) => parts.iter().try_for_each(|part| describe(part, terms, edge))?,
+        Profile::Formula(formula) => {
+            let parameters: Map<String, Value> =
+                formula.parameters.iter().map(|(name, value)| (name.clone(), json!(value.to_string()))).collect();
+            terms.push(json!({"f": formula.text, "parameters": parameters}));
+        }
+        Profile::Table(_) => return Err("a certificate speaks of formulas, not of measured rows"),
+        Profile::Wave(_) => return Err("a certificate speaks of a half-space"),
+    }
+    Ok(())
+}

@@ -1,0 +1,488 @@
+#!/usr/bin/env python3
+"""Checks certificates of mdr (schema mdr.certificate/1), without mdr, in Arb.
+
+    pip install python-flint
+    python3 scripts/check_certificates.py CERTIFICATE.json [MORE.jsonl ...]
+
+What is taken from the theory are its definitions. With the heights f(r), C(a) is the controlled quantity (d, F or d + F/k) of
+the equilibrium with contact radius a:
+
+    g(x) = x int_0^x f'(r)/sqrt(x^2 - r^2) dr  (1.1)        dl(a) = sqrt(2 pi a w/E*)  (1.4)
+    d = g(a) - dl(a)  (1.5)                                 F = 2 E* int_0^a (d - g) dx  (1.6)
+
+Everything else is computed in certificate_contact.py. r = x sin t takes the root out of (1.1): g = x int f'(x sin t) dt over a
+quarter turn. g' and g'' are that integral differentiated; where f' or f'' jumps at r = b, the lower limit arcsin(b/x) of a
+part contributes. The integral of g over x is, in the other order of integration, x^2 int f'(x sin t) cos^2 t dt. f is read as
+a formula and differentiated by Taylor series. All numbers are balls, and all integrals rigorous. One thing is assumed: slopes
+on the two sides of a kink that agree to 60 bits are equal.
+
+A certificate is refused unless its cells join without a gap from one end of the range to the other, C has on each cell the
+trend that is claimed, each fold and each equilibrium lies where it is printed (an interval Newton step proves it, and every
+digit), none is missing by the signs of C - value between the turning points, and the path is the one that follows from these.
+Not checked: energies, and whether surfaces overlap outside of the contact.
+
+Exit status: 0 all checked, 1 one is refused, 77 python-flint is not there.
+"""
+
+import itertools
+import json
+import sys
+import time
+
+try:
+    from flint import arb, ctx, fmpq
+except ImportError:
+    print("skipped: python-flint is not installed (pip install python-flint)")
+    sys.exit(77)
+
+from certificate_contact import EFFORT, ROUGH, Contact, Refused, bisected, half_unit, hull, rational, require
+
+DEPTH = 64  # halvings of a cell
+LEAVES = 4000  # parts of a cell
+
+
+# Cells
+
+
+class Parts:
+    """The sign of turning on parts of a cell within one piece, which is halved until each has one or is monotone."""
+
+    def __init__(self, contact, piece, above=None):
+        self.contact, self.piece, self.above, self.count = contact, piece, above, 0
+
+    def kind(self, lower, upper):
+        """+ or - for a sign, u or d where turning rises or falls; None where it stays open."""
+        contact, x, piece, root = self.contact, hull(lower, upper), self.piece, None
+        if contact.law and contact.control != "machine" and contact.law[0] != fmpq(1, 2):
+            # A constant less than a power of a.
+            return "u" if contact.law[0] > fmpq(1, 2) else "d"
+        if self.above is not None and lower == self.above and contact.jump(piece - 1) is not None:
+            root = hull(0, (arb(upper) ** 2 - contact.breaks[piece - 1] ** 2).sqrt())
+        try:
+            if letter := letter_of(contact.turning(x, piece, root)):
+                return letter
+            if root is not None or lower == 0:
+                return None
+            slope, middle = contact.turning_slope(x, piece), arb(x.mid())
+            if letter := letter_of(contact.turning(middle, piece) + slope * (x - middle)):
+                return letter
+            return {"+": "u", "-": "d"}.get(letter_of(slope))
+        except Refused:
+            return None
+
+    def leaves(self, lower, upper, depth=0):
+        self.count += 1
+        self.contact.effort = EFFORT[depth > 16]
+        if kind := self.kind(lower, upper):
+            return [(lower, upper, kind)]
+        require(depth < DEPTH and self.count < LEAVES, f"a cell at a = {float(arb(lower).mid()):.6g} is not decided")
+        middle = arb((upper / 16 if lower == 0 else (arb(lower) + arb(upper)) / 2).mid())
+        return self.leaves(lower, middle, depth + 1) + self.leaves(middle, upper, depth + 1)
+
+    def trend(self, lower, upper):
+        signs, leaves = "", self.leaves(lower, upper)
+        while leaves:
+            kind = leaves[0][2]
+            run = list(itertools.takewhile(lambda leaf: leaf[2] == kind, leaves))
+            leaves = leaves[len(run):]
+            if kind in "ud":
+                ends = [letter_of(self.contact.turning(arb(x), self.piece)) for x in (run[0][0], run[-1][1])]
+                require(None not in ends, "the sign beside a fold")
+                kind = ends[0] if ends[0] == ends[1] else kind
+            signs += kind if not signs.endswith(kind) else ""
+        found = {"+": "rises", "-": "falls"}.get(signs) or TURNS.get(signs)
+        require(found, f"C' has the signs {signs} on one cell")
+        return found
+
+
+# With u and d for a change of sign where turning is monotone.
+TURNS = {shape: "minimum" for shape in ("-u+", "-u", "u+", "u")} | {shape: "maximum" for shape in ("+d-", "+d", "d-", "d")}
+
+
+def letter_of(value):
+    return "+" if value > 0 else "-" if value < 0 else None
+
+
+JOINED = {
+    ("falls", "falls"): "falls", ("rises", "rises"): "rises", ("falls", "rises"): "minimum", ("rises", "falls"): "maximum",
+    ("minimum", "rises"): "minimum", ("falls", "minimum"): "minimum", ("maximum", "falls"): "maximum", ("rises", "maximum"): "maximum",
+}
+
+
+def trend(contact, lower, upper):
+    """How C behaves on a cell: found, not believed."""
+    if contact.edge is not None and not upper < contact.edge:
+        require(within(contact, lower, arb(contact.edge)) == "falls", "C rises to a vertical edge")
+        return "minimum"
+    return within(contact, lower, upper)
+
+
+def within(contact, lower, upper):
+    """How C behaves on a cell before a vertical edge."""
+    kinks = [i for i, b in enumerate(contact.breaks) if not (b < lower or b > upper)]
+    require(len(kinks) <= 1, "two kinks in one cell")
+    if not kinks:
+        return Parts(contact, contact.piece(hull(lower, upper))).trend(lower, upper)
+    kink, parts = kinks[0], []
+    below, above = arb(contact.breaks[kink].lower()), arb(contact.breaks[kink].upper())
+    if lower < below:
+        parts.append(Parts(contact, kink).trend(lower, above))
+    if above < upper:
+        parts.append(Parts(contact, kink + 1, below).trend(below, upper))
+    require(len(parts) == 1 or tuple(parts) in JOINED, f"at a kink C {' and '.join(parts)}")
+    return parts[0] if len(parts) == 1 else JOINED[tuple(parts)]
+
+
+# Certificates
+
+
+class Turn:
+    """A turning point of C: where, and the value there."""
+
+    def __init__(self, a, kind, state, value):
+        self.a, self.kind, self.state, self.value = a, kind, state, value
+
+
+class Certificate:
+    def __init__(self, given):
+        require(given.get("schema") == "mdr.certificate/1", "the schema")
+        self.given, self.digits = given, given["digits"]
+        self.bits = int(3.33 * self.digits) + 80
+        with precision(self.bits):
+            self.contact = Contact(given)
+
+    def check(self):
+        """Refuses, or counts what was checked; with more bits where digits cancel."""
+        try:
+            return self.check_in(self.bits, 2)
+        except Refused:
+            if not self.contact.law:
+                raise
+        with precision(4 * self.bits):
+            self.contact = Contact(self.given)
+        return self.check_in(4 * self.bits, 8)
+
+    def check_in(self, bits, steps):
+        self.steps = steps
+        with precision(self.bits if self.contact.law else ROUGH):
+            cells = self.cells()
+        with precision(bits):
+            self.turns = [self.turn(cell, row) for cell, row in self.folds(cells)]
+            ends = [rational(text) for text in self.given["range"]]
+            self.range = [arb(end) for end in ends]
+            states = sum(self.equilibria(row) for row in self.given.get("equilibria", []))
+            events = Path(self).check() if "path" in self.given else 0
+        return len(cells), len(self.turns), states, events
+
+    def cells(self):
+        """The cells, which cover the range, each with the trend that it claims."""
+        cells = [(rational(cell["from"]), rational(cell["to"]), cell["trend"]) for cell in self.given["cells"]]
+        lower, upper = (rational(text) for text in self.given["range"])
+        require(cells and cells[0][0] == lower, "the first cell does not begin with the range")
+        require(cells[-1][1] == upper, "the last cell does not end with the range")
+        for (_, end, _), (begin, _, _) in zip(cells, cells[1:]):
+            require(end == begin, f"no cell between a = {float(end)} and {float(begin)}" if end < begin else "cells overlap")
+        for begin, end, claimed in cells:
+            require(0 <= begin < end, "a cell without radii")
+            found = trend(self.contact, arb(begin), arb(end))
+            require(found == claimed, f"from a = {float(begin):.9g} to {float(end):.9g} C {found}, not {claimed}")
+        courses = "".join({"falls": "-", "rises": "+", "minimum": "-+", "maximum": "+-"}[cell[2]] for cell in cells)
+        require(all(left == right for left, right in courses_at_ends(cells)), f"the trends {courses} do not join")
+        return cells
+
+    def folds(self, cells):
+        """The cells where C turns, each with the fold that is printed."""
+        turning = [cell for cell in cells if cell[2] in ("minimum", "maximum")]
+        rows = self.given.get("folds", [None] * len(turning))
+        require(len(rows) == len(turning), f"{len(rows)} folds, and C turns {len(turning)} times")
+        return list(zip(turning, rows))
+
+    def turn(self, cell, row):
+        lower, upper, kind = cell
+        contact = self.contact
+        kinks = [b for b in contact.breaks if not (b < lower or b > upper)]
+        if contact.edge is not None and not upper < contact.edge:
+            a, piece = arb(contact.edge), len(contact.breaks)
+        elif kinks and self.is_fold(kinks[0], kind):
+            a = kinks[0]
+            piece = contact.breaks.index(a)
+        else:
+            pieces = [arb(lower)] + kinks + [arb(upper)]
+            a, piece = self.zero(pieces, kind, row)
+        state = contact.state(a, piece)
+        if row is not None:
+            require(row["kind"] == kind, "the kind of a fold")
+            self.agree(row, a, state)
+        return Turn(a, kind, state, contact.controlled(*state))
+
+    def is_fold(self, kink, kind):
+        """Whether C' changes its sign at a kink itself, as its two pieces say beside it."""
+        index, near = self.contact.breaks.index(kink), arb(2) ** -30
+        signs = [letter_of(self.contact.turning(arb((kink * (1 + side * near)).mid()), index + (side > 0))) for side in (-1, 1)]
+        return signs == (["-", "+"] if kind == "minimum" else ["+", "-"])
+
+    def zero(self, ends, kind, row):
+        """The zero of turning between ends, between which it has one: around the printed radius, or bisected."""
+        contact = self.contact
+        for lower, upper in zip(ends, ends[1:]):
+            piece = contact.piece(arb(((lower + upper) / 2).mid()))
+            f = lambda a: contact.turning(a, piece)
+            if row is not None and row["contact_radius"] is not None:
+                a = rational(row["contact_radius"])
+                if lower < a < upper:
+                    return self.newton(row["contact_radius"], f, lambda a: contact.turning_slope(a, piece)), piece
+            else:
+                inner = [arb(lower.upper()), arb(upper.lower())]
+                if lower > 0 and f(inner[0]) * f(inner[1]) < 0:
+                    return bisected(f, *inner), piece
+        raise Refused(f"no {kind} of C where its cell is")
+
+    def newton(self, text, f, slope):
+        """The zero of f within half a unit of the last printed digit, by interval Newton steps."""
+        printed = arb(rational(text))
+        unit = arb(half_unit(text))
+        box = printed + unit * hull(-1, 1)
+        steep = slope(box)
+        require(not steep.contains(0), f"whether there is one zero at {text}")
+        for step in range(self.steps):
+            middle = arb(box.mid())
+            image = middle - f(middle) / steep
+            if step == 0:
+                require(image.overlaps(box) and image.is_finite(), f"no zero within half a unit of the last digit of {text}")
+                inside = bool(abs(image - printed) <= unit * (1 + arb(2) ** -40))
+                require(inside, f"a zero within half a unit of the last digit of {text}")
+            box = image.intersection(box)
+        return box
+
+    def agree(self, row, a, state, prefix=""):
+        """The printed digits are those of the state."""
+        for key, value in zip(("contact_radius", "indentation", "force"), (a, *state)):
+            text = row.get(prefix + key)
+            if text is None:
+                require(row.get("status", "ok") != "ok" or prefix + key not in row or prefix, f"no {key}")
+                continue
+            slack = half_unit(text) if "/" not in text else 0
+            exact = bool(abs(value - rational(text)) <= arb(slack) * (1 + arb(2) ** -40) + abs(value) * arb(2) ** -(ctx.prec // 2 + 20))
+            require(exact, f"{prefix}{key} {text}, which is {value.str(self.digits + 5)}")
+
+    # Equilibria
+
+    def branches(self):
+        """Between turning points: the two ends with the value of C, None at the vertical edge beyond which it has no bound."""
+        ends = [(self.range[0], self.end_value(self.range[0]))]
+        ends += [(turn.a, turn.value) for turn in self.turns]
+        at_edge = self.contact.edge is not None and self.turns and self.turns[-1].a.contains(self.contact.edge)
+        ends.append((arb(self.contact.edge), None) if at_edge else (self.range[1], self.end_value(self.range[1])))
+        return list(zip(ends, ends[1:]))
+
+    def end_value(self, a):
+        with precision(ROUGH):
+            return arb(0) if a == 0 else self.contact.at(a, self.contact.piece(a))
+
+    def side(self, end, value):
+        """The sign of C - value at the end of a branch."""
+        if end[1] is None:
+            return "+"
+        if end[0] == 0 and value == 0:
+            return {"falls": "-", "minimum": "-"}.get(self.given["cells"][0]["trend"], "+")
+        letter = letter_of(end[1] - value)
+        require(letter, "a value at a fold")
+        return letter
+
+    def equilibria(self, row):
+        """As many states as C passes the value, each where it is printed."""
+        value = arb(rational(row["value"]))
+        states = [state for state in row["equilibria"]]
+        inside = [state for state in states if self.range[0] <= rational(state["contact_radius"]) <= self.range[1]]
+        for state in states:
+            self.equilibrium(state, value)
+        for lower, upper in self.branches():
+            sides = [self.side(lower, value), self.side(upper, value)]
+            here = [state for state in inside if lower[0] < rational(state["contact_radius"]) < upper[0]]
+            if upper[1] is None:
+                here = [state for state in inside if abs(rational(state["contact_radius"]) - upper[0]) < half_unit(state["contact_radius"]) * 2]
+            require(len(here) == (sides[0] != sides[1]), f"{len(here)} equilibria on a branch where C - value goes from {sides[0]} to {sides[1]}")
+            if here:
+                stable = sides[0] == "-"
+                require(here[0]["stable"] is stable, f"stable at a = {here[0]['contact_radius']}")
+        return len(states)
+
+    def equilibrium(self, row, value, prefix=""):
+        """The state with C = value around the printed radius; its radius."""
+        text, contact = row[prefix + "contact_radius"], self.contact
+        near = arb(rational(text)) + arb(half_unit(text)) * hull(-1, 1)
+        if contact.edge is not None and near.contains(arb(contact.edge)):
+            a, state = self.at_edge(value)
+        else:
+            piece = contact.piece(near)
+            require(piece is not None, "an equilibrium at a kink")
+            a = self.newton(text, lambda a: contact.at(a, piece) - value, lambda a: contact.controlled_slope(a, piece))
+            state = contact.state(a, piece)
+        self.agree(row, a, state, prefix)
+        return a
+
+    def at_edge(self, value):
+        """The contact held at the vertical edge b: F = 2 E* (b d - int g), with d or F or D given."""
+        contact, b = self.contact, arb(self.contact.edge)
+        mean = contact.mean(b, len(contact.breaks))
+        stiffness = 2 * contact.e * b
+        d = {"indentation": value, "force": (value + 2 * contact.e * mean) / stiffness}.get(contact.control)
+        if d is None:
+            d = (value + 2 * contact.e * mean / contact.k) / (1 + stiffness / contact.k)
+        return b, (d, 2 * contact.e * (b * d - mean))
+
+
+def courses_at_ends(cells):
+    """Pairs of the trend with which a cell ends and that with which the next begins."""
+    ends = {"falls": "--", "rises": "++", "minimum": "-+", "maximum": "+-"}
+    return [(ends[one[2]][1], ends[other[2]][0]) for one, other in zip(cells, cells[1:])]
+
+
+class precision:
+    """Arithmetic with so many bits."""
+
+    def __init__(self, bits):
+        self.bits = bits
+
+    def __enter__(self):
+        self.before, ctx.prec = ctx.prec, self.bits
+
+    def __exit__(self, *_):
+        ctx.prec = self.before
+
+
+# Paths
+
+
+class Path:
+    """The path that follows from the turning points: on rising branches, and at their ends to the next in the way of the jump."""
+
+    def __init__(self, certificate):
+        self.of, self.rows = certificate, list(certificate.given["path"])
+        self.branches = certificate.branches()
+        require(certificate.given["cells"][0]["from"] == "0", "a path whose radii are known down to the tip")
+
+    def rising(self, index):
+        lower, upper = self.branches[index]
+        start = self.of.given["cells"][0]["trend"] in ("rises", "maximum")
+        return start == (index % 2 == 0)
+
+    def holds(self, index, value):
+        """Whether there is an equilibrium on a rising branch."""
+        lower, upper = self.branches[index]
+        return self.rising(index) and self.of.side(lower, value) == "-" and self.of.side(upper, value) == "+"
+
+    def next_row(self, event):
+        require(self.rows, f"the path ends before its {event}")
+        row = self.rows.pop(0)
+        require(row["event"] == event, f"the event {row['event']}, where the path has {event}")
+        return row
+
+    def state(self, row, index, value, prefix=""):
+        """The state of a row is the one on a branch."""
+        if index is None:
+            require(row[prefix + "contact_radius"] is None, "a contact radius without contact")
+            return
+        a = self.of.equilibrium(row, value, prefix)
+        lower, upper = self.branches[index]
+        require(upper[1] is None or lower[0] < a < upper[0], "a state on another branch")
+
+    def check(self):
+        way = [arb(rational(text)) for text in self.of.given["way"]]
+        count, here = len(self.rows), self.begin(self.of.given["start"], way[0])
+        self.state(self.next_row("start"), here, way[0])
+        for place, (value, target) in enumerate(zip(way, way[1:])):
+            here = self.move(here, value, target)
+            if here == "complete":
+                break
+            self.state(self.next_row("end" if place == len(way) - 2 else "way-point"), here, target)
+        require(not self.rows, "events after the end of the path")
+        return count
+
+    def begin(self, start, value):
+        held = [index for index in range(len(self.branches)) if self.holds(index, value)]
+        if start == "detached":
+            return None
+        require(held, "no stable state to start from")
+        if start in ("largest", "smallest"):
+            return held[-1 if start == "largest" else 0]
+        row, wanted = self.rows[0], arb(rational(start))
+        nearness = []
+        for index in held:
+            f = lambda a: self.of.contact.at(a, self.of.contact.piece(a)) - value
+            lower, upper = (arb(end[0].mid()) for end in self.branches[index])
+            a = bisected(f, lower * (1 + arb(2) ** -60), upper * (1 - arb(2) ** -60))
+            nearness.append((abs((a / wanted).log()), index))
+        return min(nearness, key=lambda pair: float(pair[0].mid()))[1]
+
+    def move(self, here, value, target):
+        up = bool(target > value)
+        while True:
+            if here is None:
+                if not up or not target > 0:
+                    return None
+                require(value <= 0, "surfaces that touch already")
+                value = arb(0)
+                if self.of.given["cells"][0]["trend"] in ("rises", "maximum"):
+                    here = 0
+                    self.next_row("touch")
+                    continue
+                here = self.land(-1, value, outwards=True)
+                self.state(self.next_row("jump-in"), here, value, "to_")
+                continue
+            lower, upper = self.branches[here]
+            end = upper if up else lower
+            beyond = end[1] is not None and (end[1] < target if up else end[1] > target)
+            if not beyond:
+                require(end[1] is None or end[1] > target or end[1] < target, "a way point at a fold")
+                return here
+            if end[0] == 0:
+                raise Refused("a contact that shrinks to a point")
+            require(here + 1 < len(self.branches) if up else here > 0, "a path that leaves the range")
+            turn, value = self.of.turns[here if up else here - 1], end[1]
+            there = self.land(here, value, up)
+            if up and there is None:
+                require(self.of.contact.law and self.of.contact.law[0] < fmpq(1, 2), "a jump out of the range")
+                # Beyond the last turning point of a power law below 1/2 turning falls on all radii.
+                self.of.agree(self.next_row("complete-contact"), turn.a, turn.state)
+                return "complete"
+            row = self.next_row("jump" if there is not None else "detached")
+            self.of.agree(row, turn.a, turn.state)
+            if there is not None:
+                self.state(row, there, value, "to_")
+            here = there
+
+    def land(self, here, value, outwards):
+        """The next branch with an equilibrium, over which C - value keeps the sign that drives the contact."""
+        order = range(here + 1, len(self.branches)) if outwards else range(here - 1, -1, -1)
+        for index in order:
+            if abs(index - here) > 1 and self.holds(index, value):
+                return index
+            if index == 0 and outwards and here == -1 and self.holds(index, value):
+                return index
+        return None
+
+
+def lines(file):
+    """The certificates of a file: one, or one a line."""
+    text = open(file, encoding="utf-8").read()
+    return [json.loads(line) for line in text.splitlines() if line.strip()]
+
+
+def main():
+    files, start, wrong, total = sys.argv[1:], time.time(), 0, [0, 0, 0, 0]
+    for file in files:
+        for number, given in enumerate(lines(file), 1):
+            try:
+                counts = Certificate(given).check()
+                total = [x + y for x, y in zip(total, counts)]
+            except Refused as why:
+                wrong += 1
+                print(f"{file}:{number}: refused: {why}")
+    cells, folds, states, events = total
+    print(f"{cells} cells, {folds} folds, {states} equilibria, {events} events checked; {wrong} certificates refused; {time.time() - start:.1f} s")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
