@@ -229,6 +229,7 @@ fn describe(
             terms.push(json!({"f": formula.text, "parameters": parameters}));
         }
         Profile::Table(_) => return Err("a certificate speaks of formulas, not of measured rows"),
+        Profile::Function(_) => return Err("a certificate speaks of formulas, not of closures"),
         Profile::Wave(_) => return Err("a certificate speaks of a half-space"),
     }
     Ok(())
