@@ -48,7 +48,7 @@ pub(super) fn fit(problem: &Problem) -> Result<Fit> {
     limits::of_weak(&mut fit, problem);
     let known = fit.warnings.len();
     hysteresis::add(&mut fit, problem, seen);
-    if fit.warnings.len() == known {
+    if fit.warnings.len() == known || problem.has_two_works() {
         if let Some(index) = trend {
             suspects::add_trend(&mut fit, problem, index);
         }

@@ -16,7 +16,7 @@ fn products_are_written_as_in_a_formula() {
 mod normal;
 
 /// Of white noise on two legs one record in a hundred is below p = 0.01; of a filter that halves from row to row, whose integrated
-/// correlation is √3, all are.
+/// correlation is √3, 99 of a hundred are.
 #[test]
 fn neighbours_of_white_noise_are_not_alike() {
     let mut noise = normal::Normal(7);
@@ -25,7 +25,7 @@ fn neighbours_of_white_noise_are_not_alike() {
     let white: Vec<f64> = (0..records).map(|_| judged(&[0.0; 120].map(|_| noise.next())).p).collect();
     let share = white.iter().filter(|p| **p < 0.01).count() as f64 / f64::from(records);
     assert!((0.005..0.015).contains(&share), "{share}");
-    let mut widening = 0.0;
+    let (mut widening, mut found_out) = (0.0, 0);
     for _ in 0..records {
         let mut last = 0.0;
         let filtered = [0.0; 120].map(|_| {
@@ -33,9 +33,10 @@ fn neighbours_of_white_noise_are_not_alike() {
             last
         });
         let found = judged(&filtered);
-        assert!(found.p < 0.01, "{found:?}");
+        found_out += usize::from(found.p < 0.01);
         widening += found.widening / f64::from(records);
     }
+    assert!(found_out as f64 > 0.99 * f64::from(records), "{found_out}");
     assert!((widening / 3f64.sqrt() - 1.0).abs() < 0.1, "{widening}");
 }
 
