@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::markdown::anchor;
 
 /// The documents that are pages of the book: the file, the page, the part of the contents.
-pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 21] = [
+pub(crate) const DOCUMENTS: [(&str, &str, Shelf); 22] = [
     ("docs/validity.md", "validity", Shelf::Front),
     ("docs/theory.md", "theory", Shelf::Front),
     ("docs/figures.md", "figures", Shelf::Front),

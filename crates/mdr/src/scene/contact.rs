@@ -108,7 +108,13 @@ impl Profile {
             Profile::Shape(shape) if !medium.is_half_space() && shape.is_all_of_its_formula() => {
                 let (expression, parameters) = shape.formula().ok()?;
                 let breaks = expression.breaks(&parameters).ok()?;
-                Some(Cow::Owned(Formula { expression, parameters, breaks }))
+                Some(Cow::Owned(Formula {
+                    #[cfg(feature = "serde")]
+                    text: shape.text().to_owned(),
+                    expression,
+                    parameters,
+                    breaks,
+                }))
             }
             _ => None,
         }
