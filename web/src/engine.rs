@@ -50,12 +50,7 @@ impl Engine {
             }
         };
         let control = scene.controlled().try_map(|stiffness| Ok::<_, Error>(stiffness.nearest_f64()))?;
-        Ok(Engine {
-            contact: ContactColumns::new(&scene)?,
-            control,
-            profile,
-            sampled: RefCell::default(),
-        })
+        Ok(Engine { contact: ContactColumns::new(&scene)?, control, profile, sampled: RefCell::default() })
     }
 
     pub(crate) fn folds(&self) -> Rows<4> {

@@ -486,11 +486,13 @@ fn rows_that_do_not_count_are_counted() {
 }
 
 /// Force by the formulas of this file: a paraboloid or another tip by its g and ∫g, pressed in by d.
+#[cfg(feature = "mp")]
 struct Own<'t> {
     tip: &'t Tip,
     e_star: f64,
 }
 
+#[cfg(feature = "mp")]
 impl Own<'_> {
     fn depth(&self, a: f64, work: f64) -> f64 {
         (self.tip.formula)(a)[0] - (2.0 * PI * a * work / self.e_star).sqrt()
