@@ -11,7 +11,8 @@
 //! | [`search`] | f64 | a survey of the tangency ratio | doubles |
 //!
 //! A certified scene is proved where that can be, output by output, and estimated elsewhere; energies and fields of tables, on other
-//! media than the half-space, and with two works of adhesion are always estimated. A scene in f64 is searched, and what f64 does not hold is proved or estimated in digits.
+//! media than the half-space, and with two works of adhesion are always estimated. A scene in f64 is searched, and what f64 does not
+//! hold is proved or estimated in digits.
 
 mod admissible;
 #[cfg(feature = "mp")]
