@@ -206,8 +206,9 @@ impl<R: Real> Real for Dual<R> {
         // second term is evaluated only where y varies.
         let value = self.value.pow(&exponent.value);
         let vanishes = (value.unit_roundoff() * &value).midpoint() == value.lit(0);
-        let mut slope = if vanishes && self.slope == self.slope.lit(0) {
-            // A constant, of which no power with a finite slope need exist.
+        let may_underflow = self.value.precision() <= f64::MANTISSA_DIGITS;
+        let mut slope = if vanishes && self.slope == self.slope.lit(0) && !may_underflow {
+            // A constant, of which no power with a finite slope need exist. In f64 both may be zero by underflow.
             self.slope.clone()
         } else if vanishes {
             self.value.pow(&(exponent.value.clone() - exponent.value.lit(1))) * &exponent.value * &self.slope

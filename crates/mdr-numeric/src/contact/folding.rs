@@ -1,6 +1,6 @@
 //! The condition of folds: the tangency ratio and its critical value.
 
-use mdr_core::contact::{Error, Quantity, Result};
+use mdr_core::contact::{Control, Error, Quantity, Result};
 use mdr_core::number::Real;
 
 use super::Contact;
@@ -25,7 +25,13 @@ impl<R: Real> Contact<R> {
     /// tip.
     pub(crate) fn fold_ratio(&self, a: &R) -> Result<R> {
         if !self.adhesion.vanishes() {
-            return Ok(self.tangency(a)? / self.critical_ratio_at(a));
+            let critical = self.critical_ratio_at(a);
+            // S/K of a machine on a Winkler foundation leaves the range of the arithmetic before a does, and the ratio with it.
+            if critical == a.lit(0) && matches!(self.control, Control::Machine { .. }) {
+                let log10 = a.ln().approx() * 2.0 * std::f64::consts::LOG10_E;
+                return Err(Error::OutOfRange { quantity: Quantity::Stiffness, log10 });
+            }
+            return Ok(self.tangency(a)? / critical);
         }
         let (slope, mean) = (self.transform.slope(a)?, self.transform.g(a)? / a);
         if slope != a.lit(0) {

@@ -419,3 +419,27 @@ fn complaints() {
         assert!(why.starts_with("scene.toml:") && why.contains(part), "{why}\n{text}");
     }
 }
+
+/// S of a small contact on a Winkler foundation leaves the doubles before its radius does: what is beyond them is no fold. The springs
+/// elongate alike at every radius, so that a machine has one fold, at g' = S'Δl/(K + S), whatever its stiffness.
+#[test]
+fn a_machine_on_a_winkler_foundation_has_one_fold_in_f64() {
+    for stiffness in ["0.01", "1", "100"] {
+        let text = format!(
+            "medium = {{ kind = \"winkler\", modulus = \"0.5\" }}
+            material = {{ work_of_adhesion = \"0.006\" }}
+            profile = {{ kind = \"power\", n = \"2.06\", c = \"0.3\" }}
+            control = {{ kind = \"machine\", stiffness = \"{stiffness}\" }}
+            output = {{ want = [\"folds\"], arithmetic = \"f64\" }}"
+        );
+        let folds = solve(&text).folds().unwrap().items.clone();
+        assert_eq!(folds.len(), 1, "{folds:?}");
+        let a = folds[0].contact_radius.to_f64().unwrap();
+        let k: f64 = stiffness.parse().unwrap();
+        let pi = std::f64::consts::PI;
+        // On a Winkler foundation g is f, S = πK_w a², and Δl = √(2w/K_w).
+        let (left, lag) = (2.06 * 0.3 * a.powf(1.06), (2.0f64 * 0.006 / 0.5).sqrt());
+        let right = 2.0 * pi * 0.5 * a * lag / (k + pi * 0.5 * a * a);
+        assert!((left / right - 1.0).abs() < 1e-12, "{stiffness}: {left:e} and {right:e}");
+    }
+}
