@@ -10,7 +10,7 @@ impl<R: Real> Contact<R> {
     /// (1.10). On media where Δl may fall, line and periodic contacts, it is raised by 2q/(1 + S/K), and so is its critical value.
     ///
     /// # Errors
-    /// Errors of the transform at a; see [`Transform::slope`].
+    /// Errors of the transform at a; see [`Transform::slope`](mdr_core::contact::Transform::slope).
     pub fn tangency(&self, a: &R) -> Result<R> {
         Ok(self.tangency_of(self.transform.slope(a)?, a))
     }
