@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::answer::{BudgetEntry, Fit};
 use super::errors::Errors;
+use super::judge;
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::problem::{Kind, Problem};
@@ -55,7 +56,7 @@ pub(super) fn followed(errors: &Errors<'_>, minimum: &Minimum, column: &DVector<
     let mut scaled: DMatrix<f64> = minimum.jacobian.select_columns(errors.kept);
     let lengths: Vec<f64> = scaled.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
     scaled.column_iter_mut().zip(&lengths).for_each(|(mut column, length)| column /= *length);
-    let moved = scaled.svd(true, true).solve(column, 1e-11).ok()?;
+    let moved = judge::least_squares(scaled, column, 1e-11)?;
     Some(DVector::from_iterator(lengths.len(), moved.iter().zip(&lengths).map(|(moved, length)| moved / length)))
 }
 

@@ -1,6 +1,6 @@
 //! The assessment of a minimum: standard errors, combinations that the data do not determine, tests of the residuals.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, SVD};
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
 
 use super::answer::{Autocorrelation, RunsTest};
@@ -10,6 +10,28 @@ const FEWEST: usize = 10;
 
 /// Singular values below this share of the largest are zero: the data say nothing of their direction.
 const NULL: f64 = 1e-8;
+
+/// The most iterations of a decomposition: nalgebra sets no limit of its own, and some matrices never end there.
+const ITERATIONS: usize = 10_000;
+
+/// The singular values and vectors of a matrix, the right ones and if asked the left ones; none where an entry is not finite
+/// or the iteration does not end.
+fn decomposed(matrix: DMatrix<f64>, with_left: bool) -> Option<SVD<f64, Dyn, Dyn>> {
+    let is_finite = matrix.iter().all(|entry| entry.is_finite());
+    is_finite.then(|| SVD::try_new(matrix, with_left, true, 5.0 * f64::EPSILON, ITERATIONS)).flatten()
+}
+
+/// The least-squares solution of matrix · solution = right, without the directions whose singular values are at most `least`;
+/// none where the matrix has no decomposition.
+pub(super) fn least_squares(matrix: DMatrix<f64>, right: &DVector<f64>, least: f64) -> Option<DVector<f64>> {
+    decomposed(matrix, true)?.solve(right, least).ok()
+}
+
+/// The length of a vector, whose squares may leave the range of doubles.
+fn length(vector: &DVector<f64>) -> f64 {
+    let largest = vector.amax();
+    if largest > 0.0 { largest * (vector / largest).norm() } else { largest }
+}
 
 /// The Jacobian by its singular values, with columns of unit length.
 pub(super) struct Spectrum {
@@ -23,20 +45,31 @@ pub(super) struct Spectrum {
 
 impl Spectrum {
     pub(super) fn new(jacobian: &DMatrix<f64>) -> Self {
-        let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
+        let lengths: Vec<f64> = jacobian.column_iter().map(|column| length(&column.into_owned())).collect();
         let mut scaled = jacobian.clone();
         for (mut column, length) in scaled.column_iter_mut().zip(&lengths) {
             if *length > 0.0 {
                 column /= *length;
             }
         }
-        let rows = scaled.clone().svd(false, true).v_t.unwrap_or_else(|| DMatrix::zeros(lengths.len(), lengths.len()));
+        let Some(rows) = decomposed(scaled.clone(), false).and_then(|found| found.v_t) else {
+            return Spectrum::of_nothing(lengths.len());
+        };
         // Where a column depends on others, the vectors of nalgebra are right, its values in the fifth digit only.
         let values: Vec<f64> = rows.row_iter().map(|vector| (&scaled * vector.transpose()).norm()).collect();
         let mut order: Vec<usize> = (0..values.len()).collect();
         order.sort_by(|one, other| values[*other].total_cmp(&values[*one]));
         let vectors = DMatrix::from_fn(lengths.len(), order.len(), |row, column| rows[(order[column], row)]);
         Spectrum { lengths, values: order.iter().map(|index| values[*index]).collect(), vectors }
+    }
+
+    /// Where the Jacobian has no decomposition, the data say nothing of any number.
+    fn of_nothing(numbers: usize) -> Self {
+        Spectrum {
+            lengths: vec![1.0; numbers],
+            values: vec![0.0; numbers],
+            vectors: DMatrix::identity(numbers, numbers),
+        }
     }
 
     fn is_null(&self, index: usize) -> bool {
@@ -76,7 +109,8 @@ impl Spectrum {
         let longest = self.lengths.iter().copied().fold(0.0, f64::max);
         let mut directions = DMatrix::from_fn(self.lengths.len(), null.len(), |place, column| {
             // A number without any effect is a direction by itself.
-            let length = if self.lengths[place] > 0.0 { self.lengths[place] } else { longest * f64::EPSILON };
+            let least = if longest > 0.0 { longest * f64::EPSILON } else { 1.0 };
+            let length = if self.lengths[place] > 0.0 { self.lengths[place] } else { least };
             self.vectors[(place, null[column])] / length
         });
         directions.column_iter_mut().for_each(|mut column| column /= column.norm());

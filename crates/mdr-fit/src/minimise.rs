@@ -3,6 +3,7 @@
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
+use super::judge;
 use super::objective::{AtFold, Evaluation, Objective};
 
 /// An end of a descent.
@@ -248,7 +249,7 @@ fn newton_step(
             kept.column_mut(place).fill(0.0);
         }
     }
-    let step = kept.svd(true, true).solve(&slope, 1e-9).unwrap_or_else(|_| DVector::zeros(held.len()));
+    let step = judge::least_squares(kept, &slope, 1e-9).unwrap_or_else(|| DVector::zeros(held.len()));
     DVector::from_iterator(held.len(), step.iter().zip(&lengths).map(|(step, length)| step / length))
 }
 
@@ -275,7 +276,7 @@ fn step(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, held: &[bool]) -> DVe
     for (place, mut column) in scaled.column_iter_mut().enumerate() {
         if held[place] || lengths[place] == 0.0 { column.fill(0.0) } else { column /= lengths[place] }
     }
-    let solution = scaled.svd(true, true).solve(residuals, 1e-11).unwrap_or_else(|_| DVector::zeros(held.len()));
+    let solution = judge::least_squares(scaled, residuals, 1e-11).unwrap_or_else(|| DVector::zeros(held.len()));
     DVector::from_iterator(
         held.len(),
         solution.iter().zip(&lengths).map(|(value, length)| if *length > 0.0 { value / length } else { 0.0 }),

@@ -361,7 +361,7 @@ fn by_regression(problem: &Problem, tip: &Tip<f64>) -> Option<[f64; 4]> {
     for (mut column, length) in matrix.column_iter_mut().zip(&lengths) {
         column /= *length;
     }
-    let solution = matrix.svd(true, true).solve(&forces, 1e-12).ok()?;
+    let solution = judge::least_squares(matrix, &forces, 1e-12)?;
     let [e_star, root] = [solution[0] / lengths[0], solution[1] / lengths[1]];
     let baseline = if with_baseline { solution[2] / lengths[2] } else { 0.0 };
     (e_star > 0.0 && root > 0.0).then_some([e_star, root * root / e_star, 0.0, baseline])

@@ -51,7 +51,7 @@ fn regression(problem: &Problem, kinds: &[Kind]) -> Option<Vec<f64>> {
         Some(_) => far[row].at.time / longest,
     });
     let forces = DVector::from_iterator(far.len(), far.iter().map(|row| row.y));
-    let found = matrix.svd(true, true).solve(&forces, 1e-6).ok()?;
+    let found = judge::least_squares(matrix, &forces, 1e-6)?;
     let values: Vec<f64> = units.iter().enumerate().map(|(index, unit)| found[index + 1] / unit).collect();
     values.iter().all(|value| value.is_finite()).then_some(values)
 }

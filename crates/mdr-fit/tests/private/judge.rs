@@ -64,3 +64,26 @@ fn alternating_signs_are_no_noise() {
     let residuals: Vec<f64> = (0..40).map(|index| if index % 2 == 0 { 1.0 } else { -1.0 }).collect();
     assert!(runs_test(&residuals).is_some_and(|test| test.runs == 40 && test.p < 1e-8));
 }
+
+/// A decomposition ends for every matrix: an entry that is not finite is a typed nothing, never an iteration for ever.
+#[test]
+fn no_matrix_holds_a_fit_for_ever() {
+    let sound = DMatrix::from_fn(5, 3, |row, column| ((row + 1) as f64).powi(column as i32));
+    let right = DVector::from_element(5, 1.0);
+    let solved = least_squares(sound.clone(), &right, 1e-12).unwrap();
+    assert!((&sound * solved - &right).norm() < 1e-12);
+    for entry in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for place in 0..15 {
+            let mut matrix = sound.clone();
+            matrix[place] = entry;
+            assert_eq!(least_squares(matrix.clone(), &right, 1e-12), None);
+            let spectrum = Spectrum::new(&matrix);
+            assert_eq!(spectrum.nullity(), 3);
+            assert_eq!(spectrum.undetermined(), [true; 3]);
+        }
+    }
+    for scale in [f64::MIN_POSITIVE * f64::EPSILON, 1e-300, 1e150, 1e300, f64::MAX / 1e4] {
+        let spectrum = Spectrum::new(&(&sound * scale));
+        assert!(spectrum.nullity() == 0 || spectrum.undetermined().contains(&true), "{scale}");
+    }
+}
