@@ -88,7 +88,8 @@ pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Outcome>
         }
         found = answer(&objective, &scatter, &minimum, &tried)?;
     }
-    let Answer { fit, trend, .. } = found;
+    let Answer { mut fit, trend, resolved, .. } = found;
+    further(&mut fit, &resolved.errors(&objective, &minimum), &minimum, scatter.stated)?;
     let vanishing = if fit.status == FitStatus::NotConverged { vanishing(&objective, &minimum) } else { None };
     let vanishing = vanishing.map(|place| objective.free[place]);
     let residual = (minimum.evaluation.cost() / fit.dof.max(1) as f64).sqrt() * scatter.noise.y_scale;
@@ -257,28 +258,58 @@ struct Answer {
     trend: Option<usize>,
     /// Fitted values nearby at which the sum of squares is smaller.
     lower: Option<Vec<f64>>,
+    resolved: Resolved,
+}
+
+/// What the rows tell of the free numbers at a minimum.
+struct Resolved {
+    /// The numbers that a bound holds.
+    held: Vec<bool>,
+    /// The numbers of which no row tells a value.
+    open: Vec<bool>,
+    /// The places of all others.
+    kept: Vec<usize>,
+    /// Of the information on these.
+    spectrum: Spectrum,
+    dof: usize,
+    /// The factors of standard errors: of the stated σ, and of the residuals.
+    scales: [f64; 2],
+}
+
+impl Resolved {
+    fn at(minimum: &Minimum, objective: &Objective<'_>, scatter: &Scatter) -> Result<Self> {
+        let Minimum { fitted, evaluation, jacobian, .. } = minimum;
+        let problem = objective.problem;
+        let held = minimise::held(objective, fitted, jacobian, evaluation);
+        let open = limits::open(objective, minimum);
+        let kept: Vec<usize> = (0..fitted.len()).filter(|place| !held[*place] && !open[*place]).collect();
+        let spectrum = Spectrum::new(&objective.information(fitted, evaluation)?.select_columns(&kept));
+        // Of what the data do not determine nothing is used up.
+        let counted = problem.rows.len() + problem.priors() + usize::from(problem.pull_off.is_some());
+        let dof = counted.saturating_sub(kept.len() - spectrum.nullity());
+        let by_residuals = (evaluation.cost() / dof.max(1) as f64).sqrt();
+        let scales = [if scatter.stated { objective.noise.unit } else { by_residuals }, by_residuals];
+        Ok(Resolved { held, open, kept, spectrum, dof, scales })
+    }
+
+    fn errors<'a>(&'a self, objective: &'a Objective<'a>, minimum: &'a Minimum) -> Errors<'a> {
+        let Resolved { kept, spectrum, scales, .. } = self;
+        Errors { objective, fitted: &minimum.fitted, kept, spectrum, scales: *scales }
+    }
 }
 
 /// The answer at a minimum.
 fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried: &[Attempt]) -> Result<Answer> {
-    let Noise { unit: noise_unit, .. } = objective.noise;
-    let Minimum { fitted, evaluation, jacobian, .. } = minimum;
     let problem = objective.problem;
-    let held = minimise::held(objective, fitted, jacobian, evaluation);
-    let open = limits::open(objective, minimum);
-    let kept: Vec<usize> = (0..fitted.len()).filter(|place| !held[*place] && !open[*place]).collect();
-    let information = objective.information(fitted, evaluation)?;
-    let spectrum = Spectrum::new(&information.select_columns(&kept));
+    let evaluation = &minimum.evaluation;
+    let resolved = Resolved::at(minimum, objective, scatter)?;
+    let errors = resolved.errors(objective, minimum);
+    let Resolved { spectrum, dof, scales, .. } = &resolved;
+    let (dof, [_, by_residuals]) = (*dof, *scales);
     let cost = evaluation.cost();
-    // Of what the data do not determine nothing is used up.
-    let counted = problem.rows.len() + problem.priors() + usize::from(problem.pull_off.is_some());
-    let dof = counted.saturating_sub(kept.len() - spectrum.nullity());
-    let by_residuals = (cost / dof.max(1) as f64).sqrt();
-    let scales = [if scatter.stated { noise_unit } else { by_residuals }, by_residuals];
-    let errors = Errors { objective, fitted, kept: &kept, spectrum: &spectrum, scales };
     let determined = spectrum.nullity() == 0;
     let converged = minimum.gradient < CONVERGED || is_exact(objective, minimum);
-    let in_sigma = (cost.sqrt() / noise_unit).powi(2);
+    let in_sigma = (cost.sqrt() / objective.noise.unit).powi(2);
     let chi2 = scatter.stated.then_some(in_sigma);
     let chi2_p = chi2.and_then(|chi2| judge::chi2_p(chi2, dof));
     let status = match (determined, converged) {
@@ -354,12 +385,12 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         // Where not even the numbers are determined, no contact radius is told.
         fit.rows.iter_mut().for_each(|row| row.contact_radius = None);
     }
-    super::warnings::add(&mut fit, objective, minimum, &held, spectrum.smallest());
+    super::warnings::add(&mut fit, objective, minimum, &resolved.held, spectrum.smallest());
     if fit.status.has_estimates() {
         super::quantities::add(&mut fit, &errors, minimum)?;
         super::budget::add(&mut fit, &errors, minimum);
     }
-    limits::of_pinned(&mut fit, objective, minimum, &open)?;
+    limits::of_pinned(&mut fit, objective, minimum, &resolved.open)?;
     super::warnings::of_minima(&mut fit);
     super::warnings::of_scatter(&mut fit, scatter.seen, by_residuals * objective.noise.y_scale);
     let steps = if determined { errors.steps(evaluation) } else { Vec::new() };
@@ -367,21 +398,28 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     let lower = lowest.filter(|step| step.rise < LOWER).map(|step| step.fitted.clone());
     super::warnings::of_steps(&mut fit, objective, &steps);
     let trend = if fit.status.has_estimates() { suspects::trend(objective, &errors, minimum, dof) } else { None };
+    Ok(Answer { fit, trend, lower, resolved })
+}
+
+/// Adds what is asked of the last answer alone: intervals of the profile likelihood, the range of validity, certified digits.
+fn further(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum, stated: bool) -> Result<()> {
+    let objective = errors.objective;
+    let problem = objective.problem;
     if problem.profile_likelihood && fit.status.has_estimates() {
-        super::profile::add(&mut fit, &errors, minimum, scatter.stated);
+        super::profile::add(fit, errors, minimum, stated);
     }
-    super::validity::add(&mut fit, problem, &minimum.evaluation.numbers)?;
+    super::validity::add(fit, problem, &minimum.evaluation.numbers)?;
     match problem.digits.filter(|_| fit.status.has_estimates()) {
         None => {}
         #[cfg(feature = "mp")]
-        Some(digits) => match super::certified::certified(objective, minimum, digits, dof) {
+        Some(digits) => match super::certified::certified(objective, minimum, digits, fit.dof) {
             Ok(certified) => fit.certified = Some(certified),
             Err(why) => fit.warnings.push(why),
         },
         #[cfg(not(feature = "mp"))]
         Some(_) => return Err(mdr::Error::NeedsMp { what: "a fit in certified digits" }),
     }
-    Ok(Answer { fit, trend, lower })
+    Ok(())
 }
 
 /// Why estimates are not to be trusted.

@@ -5,6 +5,7 @@ use mdr_core::contact::Edge;
 use super::answer::{Fit, FitStatus, FittedLeg};
 use super::drive;
 use super::judge;
+use super::limits;
 use super::objective::Objective;
 use super::observation::{Leg, Observation};
 use super::problem::{DataRow, Kind, Problem};
@@ -66,7 +67,7 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem, seen: f64) {
     if !can_be || !is_suspicious {
         return;
     }
-    let mut two = Problem { digits: None, profile_likelihood: false, range_of_adhesion: None, ..problem.clone() };
+    let mut two = problem.alone();
     for parameter in &mut two.parameters {
         match parameter.kind {
             Kind::WorkOfAdhesion => (parameter.free, parameter.value, parameter.prior) = (false, None, None),
@@ -79,9 +80,7 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem, seen: f64) {
     let Ok(found) = drive::fit_from(&two, &sources).map(|outcome| outcome.fit) else { return };
     let value = |edge: Edge| found.estimate(edge.name())?.value;
     let [Some(advancing), receding] = [value(Edge::Advancing), value(Edge::Receding)] else { return };
-    let is_better = fit.rss_unit == found.rss_unit
-        && found.status != FitStatus::Unidentifiable
-        && (fit.rss - found.rss) / (found.rss / found.dof.max(1) as f64) > FALL;
+    let is_better = limits::fall(fit, &found).is_some_and(|fall| fall > FALL);
     if !is_better || receding.is_some_and(|receding| receding <= advancing) {
         return;
     }

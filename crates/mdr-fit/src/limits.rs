@@ -2,7 +2,7 @@
 
 use mdr_core::contact::Edge;
 
-use super::answer::{Fit, FitEstimate, FitLimit};
+use super::answer::{Fit, FitEstimate, FitLimit, FitStatus};
 use super::drive::{self, Outcome};
 use super::judge;
 use super::minimise::Minimum;
@@ -129,7 +129,7 @@ pub(super) fn never_receding(problem: &Problem, outcome: Outcome) -> Outcome {
     if is_pinned || receding == 0 || receding > FEW.1 + (FEW.0 * f64::from(count)) as usize {
         return outcome;
     }
-    let mut other = started(problem, fit);
+    let mut other = Problem { digits: problem.digits, ..started(problem, fit) };
     other.parameters[index].start = Some(NEVER * work);
     let Ok(mut pinned) = drive::fit_from(&other, &[Source::Given]) else { return outcome };
     let variance = variance(fit);
@@ -179,6 +179,13 @@ pub(super) fn variance(fit: &Fit) -> f64 {
     }
 }
 
+/// The fall of the sum of squares from one fit to another, in variances of the other; none where they do not count alike or the
+/// other determines nothing.
+pub(super) fn fall(fit: &Fit, other: &Fit) -> Option<f64> {
+    let is_comparable = other.rss_unit == fit.rss_unit && other.status != FitStatus::Unidentifiable;
+    is_comparable.then(|| (fit.rss - other.rss) / (other.rss / other.dof.max(1) as f64))
+}
+
 /// The fit with a work of adhesion that tends to zero as zero.
 pub(super) fn without(problem: &Problem, outcome: Outcome) -> Result<Outcome> {
     let Some(index) = outcome.vanishing.filter(|index| problem.parameters[*index].kind.is_work()) else {
@@ -188,7 +195,7 @@ pub(super) fn without(problem: &Problem, outcome: Outcome) -> Result<Outcome> {
     if is_positive || problem.parameters[index].prior.is_some() {
         return Ok(outcome);
     }
-    let mut other = started(problem, &outcome.fit);
+    let mut other = Problem { digits: problem.digits, ..started(problem, &outcome.fit) };
     let parameter = &mut other.parameters[index];
     (parameter.free, parameter.value, parameter.start, parameter.bounds) = (false, Some(0.0), None, None);
     let (name, unit) = (parameter.name.clone(), parameter.unit_name());
@@ -221,7 +228,7 @@ pub(super) fn without(problem: &Problem, outcome: Outcome) -> Result<Outcome> {
 
 /// The problem with starts at the estimates of a fit.
 pub(super) fn started(problem: &Problem, fit: &Fit) -> Problem {
-    let mut other = Problem { digits: None, profile_likelihood: false, range_of_adhesion: None, ..problem.clone() };
+    let mut other = problem.alone();
     for parameter in &mut other.parameters {
         let value = fit.estimate(&parameter.name).and_then(|estimate| estimate.value);
         if let Some(value) = value.filter(|value| parameter.free && (*value != 0.0 || parameter.kind.is_offset())) {

@@ -308,6 +308,11 @@ impl Problem {
         Ok(self)
     }
 
+    /// The problem without the questions that go beyond its estimates: certified digits, profile likelihood, range of adhesion.
+    pub(super) fn alone(&self) -> Self {
+        Problem { digits: None, profile_likelihood: false, range_of_adhesion: None, ..self.clone() }
+    }
+
     /// Requests estimates in so many certified digits as well (feature `mp`).
     pub fn digits(self, digits: u32) -> Self {
         Problem { digits: Some(digits.max(1)), ..self }

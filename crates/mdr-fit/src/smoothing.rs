@@ -2,6 +2,7 @@
 
 use super::answer::{Fit, SmoothedFit};
 use super::drive;
+use super::limits;
 use super::problem::Problem;
 use super::start::Source;
 use mdr::scene::Measured;
@@ -45,13 +46,7 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem) {
 /// The fit with the tip smoothed over another length, from the same estimates; `None` if there is no such tip, or no fit.
 fn with(fit: &Fit, problem: &Problem, length: Option<f64>) -> Option<SmoothedFit> {
     let smoothed = |table: &Measured| table.smoothed(length);
-    let mut other = Problem { profile: problem.profile.with_tables(&smoothed)?, digits: None, ..problem.clone() };
-    (other.profile_likelihood, other.range_of_adhesion) = (false, None);
-    for parameter in &mut other.parameters {
-        if let Some(estimate) = fit.estimate(&parameter.name).filter(|_| parameter.free) {
-            parameter.start = estimate.value.filter(|value| *value != 0.0 || parameter.kind.is_offset());
-        }
-    }
+    let other = Problem { profile: problem.profile.with_tables(&smoothed)?, ..limits::started(problem, fit) };
     let found = drive::fit_from(&other, &[Source::Given]).ok()?.fit;
     let estimates = found.parameters.iter().map(|estimate| estimate.value).collect();
     Some(SmoothedFit { length, estimates, rss: found.rss })

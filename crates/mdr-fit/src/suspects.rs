@@ -55,10 +55,7 @@ pub(super) fn add_trend(fit: &mut Fit, problem: &Problem, index: usize) {
     let Some((value, stderr)) = found.estimate(&name).and_then(|estimate| estimate.value.zip(estimate.stderr)) else {
         return;
     };
-    let is_better = found.rss_unit == fit.rss_unit
-        && found.status.has_estimates()
-        && (fit.rss - found.rss) > FALL * found.rss / found.dof.max(1) as f64;
-    if is_better {
+    if limits::fall(fit, &found).is_some_and(|fall| fall > FALL && found.status.has_estimates()) {
         let what = match kind {
             Kind::BaselineSlope => "a baseline that is not level",
             Kind::BaselineDrift => "a baseline that drifts",
@@ -82,7 +79,7 @@ pub(super) fn add_signs(fit: &mut Fit, problem: &Problem, misses: bool) {
     let names = [([true, false], "x"), ([false, true], "y"), ([true, true], "x and y")];
     let reversed = names.into_iter().filter_map(|(axes, name)| {
         let found = drive::fit_from(&reversed(problem, axes), &[Source::Formula, Source::Record]).ok()?.fit;
-        (found.rss_unit == fit.rss_unit && found.status != FitStatus::Unidentifiable).then_some((name, found.rss))
+        limits::fall(fit, &found).map(|_| (name, found.rss))
     });
     let least = reversed.min_by(|one, other| one.1.total_cmp(&other.1));
     if let Some((name, rss)) = least.filter(|(_, rss)| *rss * REVERSED < fit.rss) {
@@ -96,7 +93,7 @@ pub(super) fn add_signs(fit: &mut Fit, problem: &Problem, misses: bool) {
 
 /// The problem with axes reversed; each leg has the direction of its x.
 fn reversed(problem: &Problem, [x, y]: [bool; 2]) -> Problem {
-    let mut other = Problem { digits: None, profile_likelihood: false, range_of_adhesion: None, ..problem.clone() };
+    let mut other = problem.alone();
     for row in &mut other.rows {
         (row.x, row.y) = (if x { -row.x } else { row.x }, if y { -row.y } else { row.y });
         row.at.turn[0] = if x { -row.at.turn[0] } else { row.at.turn[0] };

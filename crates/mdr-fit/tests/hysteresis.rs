@@ -5,7 +5,7 @@ mod normal;
 mod tips;
 
 use mdr::prelude::*;
-use mdr_fit::{FitStatus, Leg, Observation, Problem};
+use mdr_fit::{Fit, FitStatus, Leg, Observation, Problem};
 use std::f64::consts::PI;
 
 use normal::Normal;
@@ -217,14 +217,21 @@ fn records_that_stop_early_tell_what_they_can() {
     assert!(faults.is_empty(), "{}:\n{}", faults.len(), faults.join("\n"));
 }
 
+/// Certified digits that were asked for are there, or a warning says why not.
+fn assert_answered(fit: &Fit) {
+    let is_said = fit.warnings.iter().any(|warning| warning.contains("digits"));
+    assert!(fit.certified.is_some() || is_said, "{:?}", fit.warnings);
+}
+
 /// Where the edge is pinned in all rows of the retraction there is a lower limit of w₂, and no value.
 #[test]
 fn a_pinned_edge_gives_a_lower_limit() {
     for tip in few_tips() {
         let record = Record { works: [0.005, 0.08], end: 0.2, turn: 0.5, ..USUAL };
         let curve = record.curve(&tip);
-        let fit = record.problem(&tip, &curve, &FIVE).fit().unwrap();
+        let fit = record.problem(&tip, &curve, &FIVE).digits(8).fit().unwrap();
         assert_eq!(fit.status, FitStatus::Fitted, "{}", fit.reason);
+        assert_answered(&fit);
         assert_eq!(fit.estimate("receding").unwrap().value, None);
         let limit = fit.limits.iter().find(|limit| limit.name == "work_of_adhesion.receding").unwrap();
         let lower = limit.lower.unwrap();
@@ -318,8 +325,9 @@ fn a_contact_without_adhesion_has_an_upper_limit() {
         let mut normal = Normal(99);
         curve.y.iter_mut().for_each(|y| *y += sigma * normal.next());
         curve.sigma = sigma;
-        let fit = made.problem(tip, &curve, &one).fit().unwrap();
+        let fit = made.problem(tip, &curve, &one).digits(8).fit().unwrap();
         assert_eq!(fit.status, FitStatus::Fitted, "{} {}", fit.reason, approach);
+        assert_answered(&fit);
         let limit = fit.limits.iter().find(|limit| limit.name == "work_of_adhesion").unwrap();
         assert!(limit.upper.is_some_and(|upper| upper > 1e-9 && upper < 0.05), "{limit:?}");
         let given = made.problem(tip, &curve, &["e_star", "contact_point", "baseline"]);
