@@ -20,6 +20,7 @@ fi
 status=0
 "$python" tests/confirm_records.py || status=$?
 if [ "$status" -eq 0 ]; then
+    "$python" tests/confirm_fits.py || [ $? -eq 77 ]
     # Certificates: those of the tests, each with every fault that has to be refused; and those of the records where they were written
     # (mdr reference --certificates target/certificates.jsonl).
     "$python" tests/certificates/refuse.py

@@ -452,7 +452,7 @@ def main():
         formula[{True: 0, False: 1, None: 2}[verdict]] += 1
     for formula, (good, bad, passed) in counts.items():
         print(f"{formula}: {good} confirmed, {bad} not, {passed} without a number")
-    print(f"fit: {len(fits)} not asked, since their data are not in the records")
+    print(f"fit: {len(fits)} are those of confirm_fits.py, which reads their data")
     wrong = sum(bad for _, bad, _ in counts.values())
     total = sum(good for good, _, _ in counts.values())
     print(f"{total} records confirmed by Arb, {wrong} not, in {time.time() - start:.1f} s")
