@@ -97,7 +97,7 @@ impl<R: Real> Energy<R> {
         })?;
         let adhesive = if self.contact.adhesion().vanishes() { a.lit(0) } else { a.lit(1) };
         let reduced = elastic.times(2) - adhesive;
-        let [pi, width, radius] = self.contact.medium().area_factors(&a);
+        let [pi, width, radius] = self.contact.medium().disc_factors(&a);
         let potential = width.clone() * work * &pi * &radius * &reduced;
         let factors = || [pi.clone(), width, radius, work.clone(), reduced.clone()];
         in_range(Quantity::Energy, potential, &reduced, factors)
@@ -131,8 +131,8 @@ impl<R: Real> Energy<R> {
         })?
         .value;
         let reduced = if shrinks { gained } else { -gained };
-        // In units of 2πaw, as the potential of πa²w.
-        let [pi, radius, _] = self.contact.medium().area_factors(&from);
+        // In units of A'w, 2πaw of a disc.
+        let [pi, radius] = self.contact.medium().half_area_slope_factors(&from);
         let lost = (radius.clone() * self.work() * &pi).times(2) * &reduced;
         let factors = || [pi.times(2), radius, self.work().clone(), reduced.clone()];
         in_range(Quantity::Energy, lost, &reduced, factors)

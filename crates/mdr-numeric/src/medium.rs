@@ -323,9 +323,20 @@ impl<R: Real> Medium<R> {
         self.weighted_relative(&x.value, a, value.value * growth + value.slope)
     }
 
-    /// The factors whose product is the area A(a), in m²: a product that is out of range keeps a logarithm.
-    pub(crate) fn area_factors(&self, a: &R) -> [R; 3] {
+    /// The factors whose product is the area of a disc of radius a, in m²: a product that is out of range keeps a logarithm.
+    pub(crate) fn disc_factors(&self, a: &R) -> [R; 3] {
         [a.pi(), a.clone(), a.clone()]
+    }
+
+    /// The factors whose product is half of A'(a).
+    pub(crate) fn half_area_slope_factors(&self, a: &R) -> [R; 2] {
+        match self {
+            Medium::Plane { .. } => [a.lit(1), a.lit(1)],
+            Medium::Periodic { wavelength, .. } => {
+                [wavelength.clone().inv(), (phase(a, wavelength).square() + a.lit(1)).inv()]
+            }
+            _ => [a.pi(), a.clone()],
+        }
     }
 
     /// The length of the material at the work of adhesion w, in m, from which searches begin: w/E* on a half-space.

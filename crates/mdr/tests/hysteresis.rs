@@ -384,3 +384,84 @@ fn stiffness_of_both_edges() {
         }
     }
 }
+
+/// The scene of another medium than the half-space, with w₁ = 1e-4 and w₂ = 1e-3.
+fn on_medium(medium: &str, profile: &str, control: &str, output: &str) -> Scene {
+    let text = format!(
+        "[medium]\n{medium}\n[profile]\n{profile}\n[material]\ne_star = 1\n\
+         work_of_adhesion = {{ advancing = \"1e-4\", receding = \"1e-3\" }}\n\
+         [control]\n{control}\n[output]\n{output}\n"
+    );
+    Scene::from_toml(&text, "scene.toml", &no_files).unwrap()
+}
+
+const LOOP: [&str; 7] = ["start", "jump-in", "way-point", "pinned", "depinned", "detached", "end"];
+
+/// Johnson's wave, E* = λ = 1, h₀ = 1/20, from its closed forms P = s − α√t and H = 1 − s + P ln s in thirty digits; the work of
+/// the loop is a quadrature of them.
+#[test]
+fn a_loop_on_a_wave() {
+    let (medium, profile) = ("kind = \"periodic\"\nwavelength = 1", "kind = \"wave\"\namplitude = \"0.05\"");
+    let way = "kind = \"indentation\"\npath = [\"-0.02\", \"0.03\", \"-0.1\"]\nstart = \"detached\"";
+    let found = path(&on_medium(medium, profile, way, "want = [\"path\"]\ndigits = 15"));
+    assert_eq!(kinds(&found), LOOP);
+    assert_eq!(found.events.promise, Promise::Certified);
+    let free = event(&found, "depinned");
+    assert_eq!(text(&free.contact_radius), "0.191481215204372");
+    assert_eq!(text(&free.indentation), "0.0208179912589283");
+    assert_eq!(text(&free.force), "0.0132562946835224");
+    let off = event(&found, "detached");
+    assert_eq!(text(&off.contact_radius), "0.0220619457468807");
+    assert_eq!(text(&off.indentation), "-0.0185080605695416");
+    assert_eq!(text(&off.force), "-0.0110297344257645");
+    let balance = found.balance.as_ref().unwrap();
+    let close = |value: f64, expected: f64| assert!((value / expected - 1.0).abs() < 1e-13, "{value} {expected}");
+    close(balance.work.to_f64().unwrap(), 0.000_412_289_958_843_600_4);
+    let Optional(Some(hysteresis)) = &balance.hysteresis else { panic!("lost by the edge") };
+    close(hysteresis.to_f64().unwrap(), 0.000_344_666_187_367_87);
+    let Optional(Some(jumps)) = &balance.jumps else { panic!("lost in jumps") };
+    close(jumps.to_f64().unwrap(), 0.000_008_310_496_654_438_258 + 0.000_059_313_274_821_292_15);
+    // A formula of the same wave, by quadrature, pinned in the same place.
+    let formula = "kind = \"expression\"\nformula = \"0.05*(1 - cos(2*pi*r))\"";
+    let found = path(&on_medium(medium, formula, way, "want = [\"path\"]\narithmetic = \"f64\""));
+    assert_eq!(kinds(&found), LOOP);
+    let free = event(&found, "depinned");
+    close(number(&free.indentation), 0.020_817_991_258_928_298);
+    close(number(&free.force), 0.013_256_294_683_522_414);
+}
+
+/// A cylinder against a reference at L = 3: δ = (2/π)∫arcosh(L/c) N' dc − (2/π) arcosh(L/b)√(2πwb), F = N − √(2πwb), N = πb²/4, by
+/// quadrature and roots in thirty digits.
+#[test]
+fn a_loop_on_a_plane() {
+    let (medium, profile) = ("kind = \"plane\"\nreference = 3", "kind = \"paraboloid\"\nradius = 1");
+    let way = "kind = \"indentation\"\npath = [\"-0.02\", \"0.05\", \"-0.1\"]\nstart = \"detached\"";
+    let found = path(&on_medium(medium, profile, way, "want = [\"path\"]\ndigits = 15"));
+    assert_eq!(kinds(&found), LOOP);
+    assert_eq!(found.events.promise, Promise::Certified);
+    assert_eq!(text(&event(&found, "jump-in").to_contact_radius), "0.0932876644760892");
+    let free = event(&found, "depinned");
+    assert_eq!(text(&free.contact_radius), "0.194213182493735");
+    assert_eq!(text(&free.indentation), "-0.00214981927694795");
+    assert_eq!(text(&free.force), "-0.00530822431798296");
+    let off = event(&found, "detached");
+    assert_eq!(text(&off.indentation), "-0.0477372318431610");
+    assert_eq!(text(&off.force), "-0.0165163086288629");
+    let Optional(Some(lost)) = &off.hysteresis else { panic!("lost by the edge") };
+    assert!((lost.to_f64().unwrap() / 0.000_349_583_728_488_722_5 - 1.0).abs() < 1e-13);
+}
+
+/// Under a dead load no depth is needed: the edge is pinned between N − √(2πw₁b) and N − √(2πw₂b), and on a machine between the
+/// same forces.
+#[test]
+fn a_line_under_a_dead_load_is_pinned() {
+    let profile = "kind = \"paraboloid\"\nradius = 1";
+    let way = "kind = \"force\"\npath = [\"-0.001\", \"0.05\", \"-0.1\"]\nstart = \"largest\"";
+    let found = path(&on_medium("kind = \"plane\"", profile, way, "want = [\"path\"]\narithmetic = \"f64\""));
+    assert_eq!(found.events.items.last().unwrap().event.name(), "end");
+    let free = found.events.items.iter().rfind(|event| event.event.name() == "depinned").unwrap();
+    let b = number(&free.contact_radius);
+    let load = |w: f64| std::f64::consts::PI * b * b / 4.0 - (2.0 * std::f64::consts::PI * w * b).sqrt();
+    assert!((load(1e-4) / 0.05 - 1.0).abs() < 1e-13, "{b} {}", load(1e-4));
+    assert!((load(1e-3) / number(&free.force) - 1.0).abs() < 1e-12, "{b} {} {:?}", load(1e-3), free.force);
+}

@@ -145,6 +145,23 @@ impl Admissibility {
         Admissibility { unknown: Some(why), ..Self::of_rising() }
     }
 
+    /// With the first touch of the separated surfaces, where it is known that it is at the tip and nothing else is.
+    #[must_use]
+    pub fn touching_at_tip(self) -> Self {
+        Admissibility { touch: Some(FirstTouch::Tip), ..self }
+    }
+
+    /// Whether it is decided that the separated surfaces first touch at the tip.
+    pub fn touches_at_tip(&self) -> bool {
+        matches!(first_touch_roughly(self), Ok(None))
+    }
+
+    /// For a transform whose g falls nowhere, which is proved by enclosures: every state is admissible on any medium.
+    #[cfg(feature = "mp")]
+    pub fn of_proved_rise() -> Self {
+        Admissibility { isolated: true, ..Self::of_rising() }
+    }
+
     /// A shared [`Admissibility`] for profiles with nondecreasing g: every state is admissible.
     pub fn rising() -> &'static Admissibility {
         static RISING: Admissibility = Admissibility { terrain: None, touch: None, isolated: false, unknown: None };
@@ -174,6 +191,7 @@ impl Admissibility {
     pub fn basis(&self) -> Basis {
         match &self.terrain {
             None if self.unknown.is_some() => Basis::Doubtful,
+            None if self.isolated => Basis::Isolated,
             None => Basis::Bound,
             Some(_) if self.isolated => Basis::Isolated,
             Some(terrain) if self.touch.is_some() && terrain.width.is_finite() => {

@@ -44,18 +44,35 @@ impl<R: Real> Complete<R> {
     }
 }
 
-/// U₀ − wA of a strip in each period, of the size b or of complete contact. With t = y/(1 − y) the range is finite.
+/// U₀ − wA of a strip in each period, of the size b, in pieces between the kinks; of complete contact without a size.
 fn loaded<R: Real>(contact: &Contact<R>, wavelength: &R, size: Option<&R>) -> Result<R> {
-    let (zero, one) = (wavelength.lit(0), wavelength.lit(1));
-    let rest = size.map_or_else(|| zero.clone(), |b| (phase(b, wavelength) + &one).inv());
-    let upper = size.map_or_else(|| one.clone(), |b| phase(b, wavelength) * &rest);
-    let transform = contact.transform();
+    let mut ends = contact.transform().kinks();
+    ends.retain(|kink| size.is_none_or(|size| kink < size));
+    let mut ends: Vec<Option<R>> = ends.into_iter().map(Some).collect();
+    ends.push(size.cloned());
+    let mut total = contact.modulus().lit(0);
+    let mut start = total.clone();
+    for end in ends {
+        total += &piece(contact, wavelength, &start, end.as_ref())?;
+        start = end.unwrap_or(start);
+    }
+    Ok(total)
+}
+
+/// The part of U₀ − wA between two sizes. With t = πb/λ = y/(1 − y) the range is finite.
+fn piece<R: Real>(contact: &Contact<R>, wavelength: &R, from: &R, to: Option<&R>) -> Result<R> {
+    let (zero, one) = (from.lit(0), from.lit(1));
     let tolerance = Tolerance::new(&roundoff_tolerance(&one).times(4)).or_noise_below(one.unit_roundoff().sqrt());
-    let per_phase = wavelength.clone() / wavelength.pi();
+    let transform = contact.transform();
     let area = contact.adhesion().work().clone().times(2) / wavelength;
-    let integral = tanh_sinh_near_ends(&zero, &upper, tolerance, |node| {
+    let rest_of = |b: &R| (phase(b, wavelength) + &one).inv();
+    let rest = to.map_or_else(|| zero.clone(), rest_of);
+    let upper = to.map_or_else(|| one.clone(), |b| phase(b, wavelength) * &rest);
+    let lower = phase(from, wavelength) * rest_of(from);
+    let per_phase = wavelength.clone() / wavelength.pi();
+    let integral = tanh_sinh_near_ends(&lower, &upper, tolerance, |node| {
         let left = rest.clone() + &node.from_upper;
-        let t = node.from_lower.clone() / &left;
+        let t = (lower.clone() + &node.from_lower) / &left;
         if t < t.unit_roundoff().square() {
             return Ok(zero.clone());
         }

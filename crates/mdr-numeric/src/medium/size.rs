@@ -34,6 +34,16 @@ impl<R: Special> Medium<R> {
         }
     }
 
+    /// The factors whose product is the area A of a contact of this size: πa² of a disc, 2b per length of a strip, and 2a/λ per
+    /// area of strips of the half-width a.
+    pub(crate) fn area_factors(&self, size: &R) -> [R; 3] {
+        match self {
+            Medium::Plane { .. } => [size.lit(2), size.clone(), size.lit(1)],
+            Medium::Periodic { wavelength, .. } => [size.lit(2), self.contact_radius(size), wavelength.clone().inv()],
+            _ => self.disc_factors(size),
+        }
+    }
+
     /// The size of a contact with this contact radius or half-width, in m; below λ/2 on a periodic medium.
     pub fn size(&self, contact_radius: &R) -> R {
         match self {

@@ -29,6 +29,7 @@ mod arc;
 mod error;
 mod far;
 mod hermite;
+pub mod periodic;
 mod read;
 mod rough;
 mod series;
@@ -108,6 +109,17 @@ impl Table {
     pub fn profile<R: Special>(&self, ctx: R::Ctx) -> Result<MeasuredProfile<R>> {
         let number = |literal: &Literal| R::from_literal(ctx, literal);
         MeasuredProfile::new(self.rows.iter().map(|row| (number(&row.radius), number(&row.height))).collect())
+    }
+
+    /// The profile through the rows from a crest at r = 0 to the trough at half of the wavelength, which is even around both.
+    /// Rows beyond the trough only have to agree with it: see [`periodic`].
+    ///
+    /// # Errors
+    /// Rows that end before the trough, or that contradict the wavelength; see also [`Table::profile`].
+    pub fn periodic_profile<R: Special>(&self, ctx: R::Ctx, wavelength: &R) -> Result<MeasuredProfile<R>> {
+        let number = |literal: &Literal| R::from_literal(ctx, literal);
+        let points = self.rows.iter().map(|row| (number(&row.radius), number(&row.height))).collect();
+        MeasuredProfile::new(periodic::mirrored(points, wavelength)?)
     }
 }
 

@@ -88,7 +88,7 @@ impl<R: Real> Powers<R> {
     }
 
     /// Σ factor(term) x^(n − lower).
-    fn sum(&self, x: &R, lower: i64, factor: impl Fn(&Term<R>) -> R) -> Result<R> {
+    fn sum(&self, x: &R, lower: i64, mut factor: impl FnMut(&Term<R>) -> R) -> Result<R> {
         let x = Error::require_positive(Quantity::Radius, x.clone())?;
         let mut sum = x.lit(0);
         for term in &self.terms {
@@ -105,31 +105,72 @@ impl<R: Real> Powers<R> {
         Ok(sum)
     }
 
-    /// ∫₀ᵇ N(c)/(c√(1 − c²/L²)) dc = Σ G bⁿ Σ_j (2j choose j)/4ʲ (b/L)²ʲ/(n + 2j), all terms of one sign. The ratio of
-    /// consecutive terms is below (b/L)², which bounds the remainder.
+    /// ∫₀ᵇ N(c)/(c√(1 − c²/L²)) dc, with c = L sinφ that of G Lⁿ sinⁿ⁻¹φ dφ: by powers of b/L, and beyond L/√2
+    /// of the distance from L. Not finite over an enclosure of b that is too wide for either.
     pub(super) fn against_reference(&self, b: &R, reference: &R) -> Result<R> {
         let share = (b.clone() / reference).square();
-        let room = share.lit(1) - &share;
-        self.sum(b, 0, |term| {
-            let mut coefficient = term.factor.clone();
-            let mut sum = coefficient.clone() / &term.exponent;
-            for j in 1..MOST_TERMS {
-                coefficient = (coefficient * &share).times(2 * j - 1).over(2 * j);
-                let next = coefficient.clone() / (term.exponent.clone() + share.lit(2 * j));
-                sum += &next;
-                let rest = next.abs() * &share / &room;
-                if rest.approx() <= sum.abs().approx() * sum.unit_roundoff().approx() {
-                    return sum.inflate(&rest);
-                }
-            }
-            // Too close to the reference for the series.
-            sum.lit(1).over(0)
-        })
+        let room = (reference.clone() - b) / reference * ((reference.clone() + b) / reference);
+        let near = share.midpoint() <= share.ratio(1, 2);
+        let shares = self.terms.iter().map(|term| if near { term.near(&share) } else { term.far(&share, &room) });
+        let shares: Vec<R> = shares.collect();
+        if !shares.iter().all(R::is_finite) {
+            return Ok(share.lit(1).over(0));
+        }
+        let mut shares = shares.into_iter();
+        self.sum(b, 0, |term| shares.next().map_or_else(|| share.lit(0), |share| term.factor.clone() * share))
     }
 }
 
-/// The most terms of the series against a reference: enough for b up to 0.99 of L in twenty digits.
-const MOST_TERMS: i64 = 4000;
+impl<R: Real> Term<R> {
+    /// Σ_j (2j choose j)/4ʲ sʲ/(n + 2j) at s = b²/L², all terms of one sign. The ratio of consecutive terms is below s, which bounds
+    /// the remainder.
+    fn near(&self, share: &R) -> R {
+        let mut coefficient = share.lit(1);
+        let mut sum = self.exponent.clone().inv();
+        let room = share.lit(1) - share;
+        for j in 1..most_terms(share) {
+            coefficient = (coefficient * share).times(2 * j - 1).over(2 * j);
+            let next = coefficient.clone() / (self.exponent.clone() + share.lit(2 * j));
+            sum += &next;
+            let rest = next * share / &room;
+            if rest.approx() <= sum.approx() * sum.unit_roundoff().approx() {
+                return sum.inflate(&rest);
+            }
+        }
+        sum.lit(1).over(0)
+    }
+
+    /// From the two parts on either side of L/√2, in units of bⁿ.
+    fn far(&self, share: &R, room: &R) -> R {
+        let (half, order) = (share.ratio(1, 2), self.exponent.clone().over(2));
+        let whole = self.near(&half) * half.pow(&order) + self.outside(&half);
+        (whole - self.outside(room)) / share.pow(&order)
+    }
+
+    /// ∫sinⁿ⁻¹φ dφ up to π/2 from where cos²φ = r: √r Σ_j (m)ⱼ/j! rʲ/(2j + 1), m = 1 − n/2. From j = |m| on the ratio of
+    /// consecutive terms is at most r.
+    fn outside(&self, room: &R) -> R {
+        let m = room.lit(1) - self.exponent.clone().over(2);
+        let mut coefficient = room.lit(1);
+        let mut sum = coefficient.clone();
+        for j in 1..most_terms(room) {
+            coefficient = (coefficient * room * (m.clone() + m.lit(j - 1))).over(j);
+            let next = coefficient.clone().over(2 * j + 1);
+            sum += &next;
+            let rest = next.abs() * room / (room.lit(1) - room);
+            let settled = j as f64 > m.approx().abs();
+            if settled && rest.approx() <= sum.approx().abs() * sum.unit_roundoff().approx() {
+                return sum.inflate(&rest) * room.sqrt();
+            }
+        }
+        sum.lit(1).over(0)
+    }
+}
+
+/// The most terms of a series against a reference, whose terms fall at least by half.
+fn most_terms<R: Real>(like: &R) -> i64 {
+    2 * i64::from(like.precision()) + 64
+}
 
 impl<R: Gamma> Powers<R> {
     /// Of pairs (n, C) on a half-space graded as zᵏ: g = κ(n, k) C xⁿ, with the mean (1 + k)g/(n + 1 + k).

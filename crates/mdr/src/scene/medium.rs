@@ -154,11 +154,6 @@ impl ExactMedium {
         matches!(self, ExactMedium::Periodic { .. })
     }
 
-    /// Whether its contacts are strips.
-    pub(super) fn is_of_strips(&self) -> bool {
-        matches!(self, ExactMedium::Plane { .. } | ExactMedium::Periodic { .. })
-    }
-
     /// Whether E* of the material is of use.
     pub(super) fn needs_modulus(&self) -> bool {
         !matches!(self, ExactMedium::Graded { .. } | ExactMedium::Winkler { .. })
@@ -360,10 +355,8 @@ impl Scene {
                 );
                 Err(self.places.of("profile").refuse(why))
             }
-            (Profile::Formula(_), ExactMedium::Periodic { .. }) => Ok(()),
-            (Profile::Table(_) | Profile::Function(_) | Profile::Sum(_), ExactMedium::Periodic { .. }) => {
-                let why = "measured rows, functions and sums are not periodic; on a periodic medium take kind = \"wave\" or a periodic \
-                           formula";
+            (Profile::Sum(_), ExactMedium::Periodic { .. }) => {
+                let why = "a sum is not periodic; on a periodic medium take kind = \"wave\", or write the sum as a periodic formula";
                 Err(self.places.of("profile").refuse(why))
             }
             (Profile::Shape(shape), ExactMedium::Periodic { .. }) => {

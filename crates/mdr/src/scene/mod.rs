@@ -356,13 +356,6 @@ impl Scene {
                 let why = format!("`{name}` would have {rows} rows; at most {MOST_ROWS} are computed: {why}");
                 return Err(self.places.of("output.want").refuse(why));
             }
-            if self.has_two_works() && !want.kind().is_of_profile() && self.medium.is_of_strips() {
-                let name = self.medium.name();
-                let why = format!(
-                    "two works of adhesion are available on a half-space, `graded` and `winkler`, got `{name}`: give one number"
-                );
-                return Err(self.places.of("material.work_of_adhesion").refuse(why));
-            }
             if let Some(missing) = want.missing(self.has_material, &self.path) {
                 return Err(self.places.of("output.want").refuse(format!("`{}` needs {missing}", want.name())));
             }

@@ -15,7 +15,8 @@ struct Known {
 }
 
 /// The admissibility of states with folds at the given contact radii, for the length of the material. On another medium than a
-/// half-space it is known where g rises, as it does there for every f with a nondecreasing r f'.
+/// half-space it is known where g rises, as it does there for every f with a nondecreasing r f'; where it does not, where the
+/// surfaces first touch is still a matter of f alone.
 pub(crate) fn on_medium(
     profile: &Profile,
     medium: &ExactMedium,
@@ -26,7 +27,18 @@ pub(crate) fn on_medium(
     if medium.is_half_space() {
         return admissibility(profile, transform, length, folds);
     }
-    if transform.rises() || rises(profile) { Admissibility::of_rising() } else { Admissibility::unknown(NOT_SEARCHED) }
+    if transform.rises() || rises(profile) {
+        return Admissibility::of_rising();
+    }
+    let unknown = Admissibility::unknown(NOT_SEARCHED);
+    if touches_at_tip(profile, medium, length, folds) { unknown.touching_at_tip() } else { unknown }
+}
+
+/// Whether f is lowest at the tip. A profile on a periodic medium is one that rises from there to half of the wavelength.
+fn touches_at_tip(profile: &Profile, medium: &ExactMedium, length: f64, folds: &[f64]) -> bool {
+    let on_half_space =
+        || transform_in_doubles(profile).map(|transform| admissibility(profile, transform.into(), length, folds));
+    medium.is_periodic() || on_half_space().is_ok_and(|known| known.touches_at_tip())
 }
 
 /// The admissibility of states on a half-space with folds at the given contact radii, for the length w/E*.

@@ -252,25 +252,39 @@ pub(crate) fn transform<R: Struve + Kappa + GradedReal>(
     })
 }
 
-/// The transform of a wave, or by quadrature of a periodic formula.
-fn periodic<R: Special>(
+/// The transform of a wave, or by quadrature of another periodic profile.
+fn periodic<R: GradedReal>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
     wavelength: R,
     accepted: Option<&R>,
 ) -> Result<Box<dyn Transform<R>>> {
-    match profile {
-        Profile::Wave(amplitude) => Ok(Box::new(Wave::new(number(amplitude), wavelength)?)),
-        Profile::Formula(formula) => {
-            let quadrature = Periodic::new(formula.bound::<R>(ctx, number)?, wavelength)?;
-            Ok(Box::new(match accepted {
-                Some(error) => quadrature.accepting(error.clone()),
-                None => quadrature,
-            }))
+    Ok(match profile {
+        Profile::Wave(amplitude) => Box::new(Wave::new(number(amplitude), wavelength)?),
+        Profile::Formula(formula) => repeating(formula.bound::<R>(ctx, number)?, wavelength, accepted)?,
+        Profile::Table(measured) => {
+            let rows = measured.table.periodic_profile::<R>(ctx, &wavelength)?;
+            repeating(rows, wavelength, accepted)?
         }
-        _ => Err(not_available("a periodic medium")),
-    }
+        Profile::Function(function) => {
+            repeating(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, wavelength, accepted)?
+        }
+        _ => return Err(not_available("a periodic medium")),
+    })
+}
+
+/// The transform of a periodic profile by quadrature.
+fn repeating<R: Special>(
+    profile: impl mdr_core::contact::Profile<R> + 'static,
+    wavelength: R,
+    accepted: Option<&R>,
+) -> Result<Box<dyn Transform<R>>> {
+    let quadrature = Periodic::new(profile, wavelength)?;
+    Ok(Box::new(match accepted {
+        Some(error) => quadrature.accepting(error.clone()),
+        None => quadrature,
+    }))
 }
 
 /// What decides the transform.

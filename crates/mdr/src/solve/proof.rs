@@ -111,6 +111,10 @@ pub(super) fn isolated(certified: &Certified<'_>, searched: &Admissibility) -> R
     let Some(Some(extrema)) = decided(curve.extrema(lower.lower(), upper.upper(), BUDGET_OF_ROWS))? else {
         return Ok(None);
     };
+    // The gap between extrema is that of a half-space; without any, no gap closes on any medium.
+    if !certified.scene.pressed_into().is_half_space() {
+        return Ok(extrema.is_empty().then(Admissibility::of_proved_rise));
+    }
     let transform = std::sync::Arc::clone(certified.search()?.model.contact().shared_transform());
     // In doubles a quadrature may miss what the integral found.
     for extremum in &extrema {

@@ -5,7 +5,7 @@
 mod scans;
 mod shapes;
 
-use mdr::answer::Fold;
+use mdr::answer::{Admission, Fold};
 use mdr::no_files;
 use mdr::prelude::*;
 
@@ -381,6 +381,101 @@ fn a_periodic_formula_is_the_wave() {
     assert!(why.contains("not periodic"), "{why}");
 }
 
+/// A scene of measured rows on a periodic medium of the wavelength 1.
+fn rows_on_waves(rows: &[(f64, f64)], output: &str) -> Result<Answer, mdr::Error> {
+    let csv: String = rows.iter().map(|(r, f)| format!("{r},{f:e}\n")).collect();
+    let text = scene(PERIODIC, "kind = \"table\"\nfile = \"rows.csv\" # a wave", LOAD, output);
+    let files = move |_: &str| Ok(csv.clone().into_bytes());
+    Scene::from_toml(&text, "scene.toml", &files).and_then(|scene| scene.solve())
+}
+
+/// Rows of a wave, from crest to trough or over one and a half periods, have the folds of the wave but for their interpolation.
+#[test]
+fn a_table_of_half_a_period_is_the_wave() {
+    let row = |step: u32| {
+        let r = f64::from(step) / 40.0;
+        (r, 1.0 - (2.0 * std::f64::consts::PI * r).cos())
+    };
+    let half: Vec<(f64, f64)> = (0..=20).map(row).collect();
+    let longer: Vec<(f64, f64)> = (0..=60).map(row).collect();
+    let closed = folds(PERIODIC, WAVE, LOAD);
+    for rows in [&half, &longer] {
+        let answer = rows_on_waves(
+            rows,
+            "want = [\"folds\", \"energy\"]\nequilibria = { at = [\"0.1\"] }\narithmetic = \"f64\"",
+        )
+        .expect("rows of a wave");
+        let found = &answer.folds().expect("wanted").items;
+        assert_eq!(found.len(), 2);
+        for (one, other) in found.iter().zip(&closed) {
+            let [one, other] = [one, other].map(|fold| fold.force.to_f64().expect("a number"));
+            assert!((one / other - 1.0).abs() < 1e-2, "{one} {other}");
+        }
+    }
+}
+
+/// Rows of another wavelength, and rows that end before the trough, are refused with the remedy.
+#[test]
+fn a_table_that_is_not_periodic_is_refused() {
+    let of = |period: f64, last: u32| {
+        let row = move |step: u32| {
+            let r = f64::from(step) / 200.0;
+            (r, 1.0 - (2.0 * std::f64::consts::PI * r / period).cos())
+        };
+        (0..=last).map(row).collect::<Vec<_>>()
+    };
+    let want = "want = [\"folds\"]\narithmetic = \"f64\"";
+    let cases =
+        [(of(1.0, 80), "measure as far"), (of(1.4, 130), "not periodic"), (of(0.7, 100), "more than one contact")];
+    for (rows, expected) in cases {
+        let why = rows_on_waves(&rows, want).expect_err("a bad table").to_string();
+        assert!(why.starts_with("scene.toml:") && why.contains(expected), "{why}");
+    }
+}
+
+/// The depth of a cylinder close to its reference, against ½[b² arcosh(L/b) + L²(1 − √(1 − b²/L²))].
+#[test]
+fn depths_close_to_the_reference() {
+    let want = "want = [\"transform\"]\ntransform = { at = [\"2\", \"2.2\", \"2.9\", \"2.999999\"] }\ndigits = 12";
+    let text = scene("kind = \"plane\"\nreference = 3", "kind = \"paraboloid\"\nradius = 1", GRIPS, want);
+    let answer = solve(&text);
+    for item in &answer.transform().expect("wanted").items {
+        let b: f64 = item.x.nearest_f64();
+        let depth = 0.5 * (b * b * (3.0 / b).acosh() + 9.0 * (1.0 - (1.0 - (b / 3.0).powi(2)).sqrt()));
+        let g = item.g.to_f64().expect("a number");
+        assert!((g / depth - 1.0).abs() < 1e-11, "{b} {g} {depth}");
+    }
+}
+
+/// Where surfaces first touch is a matter of f: a periodic formula begins apart, and so does a wavy cylinder against a reference.
+#[test]
+fn paths_begin_apart_where_g_is_not_searched() {
+    let way = "kind = \"indentation\"\npath = [\"-0.1\", \"0.02\", \"-0.2\"]\nstart = \"detached\"";
+    let want = "want = [\"path\"]\narithmetic = \"f64\"";
+    let waves = "kind = \"expression\"\nformula = \"0.05*(1 - cos(2*pi*r)) + 0.01*sin(pi*r)^4\"";
+    let wavy = "kind = \"wavy-paraboloid\"\nradius = 1\namplitude = \"5e-4\"\nwavelength = \"0.1\"";
+    let plane = "kind = \"plane\"\nreference = 3";
+    for (medium, profile) in [(PERIODIC, waves), (plane, wavy)] {
+        let text = scene(medium, profile, way, want).replace("1/100", "1e-3").replace(ALPHA_3, "1e-3");
+        let answer = solve(&text);
+        let kinds: Vec<EventKind> =
+            answer.path().expect("wanted").events.items.iter().map(|event| event.event).collect();
+        use EventKind::{Detached, End, JumpIn, Start, WayPoint};
+        assert_eq!(kinds, [Start, JumpIn, WayPoint, Detached, End], "{medium} {:?}", answer.path());
+    }
+}
+
+/// The gap of a half-space says nothing of another medium: where g falls there, states are neither admissible nor not.
+#[test]
+fn a_falling_g_decides_nothing_off_the_half_space() {
+    let deep = "kind = \"wavy-paraboloid\"\nradius = 1\namplitude = \"2e-3\"\nwavelength = \"0.1\"";
+    let graded = "kind = \"graded\"\nexponent = \"0.3\"\ncoefficient = 1";
+    let answer = solve(&scene(graded, deep, GRIPS, "want = [\"folds\"]\ndigits = 8").replace(ALPHA_3, "1e-4"));
+    let admissible =
+        answer.folds().expect("wanted").items.iter().all(|fold| !matches!(fold.admissible, Admission::Unknown { .. }));
+    assert!(!admissible, "g falls, and the gap is not searched");
+}
+
 /// Bad input names its place and the remedy.
 #[test]
 fn complaints() {
@@ -395,6 +490,9 @@ fn complaints() {
         (scene("kind = \"plane\"", WAVE, LOAD, want), "periodic"),
         (scene(PERIODIC, SQUARE, LOAD, want), "wave"),
         (scene("kind = \"periodic\"", WAVE, LOAD, want), "wavelength"),
+        (scene("kind = \"periodic\"\nwavelength = 0", WAVE, LOAD, want), "medium.wavelength: must be positive"),
+        (scene("kind = \"winkler\"\nmodulus = -1", SQUARE, LOAD, want), "medium.modulus: must be positive"),
+        (scene("kind = \"plane\"", SQUARE, GRIPS, want), "reference = its distance"),
         (
             scene(PERIODIC, "kind = \"expression\"\nformula = \"1 - cos(4*pi*r)\"", LOAD, want),
             "more than one contact in a period",

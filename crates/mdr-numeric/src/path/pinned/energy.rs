@@ -10,7 +10,7 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Edge, Equilibrium, Error, Quantity, Result};
-use mdr_core::number::Real;
+use mdr_core::number::Special;
 
 use super::super::energy::{Balance, Dissipation, EnergyIntegrals, spring_energy};
 use super::super::{ContactState, Event, EventKind, Path};
@@ -18,7 +18,7 @@ use crate::contact::log10_of_product;
 use crate::equilibrium::SearchedBranches;
 
 /// The energies of the events of a path that was followed between two [edges](super::Edges).
-pub struct EdgeEnergies<'a, R: Real> {
+pub struct EdgeEnergies<'a, R: Special> {
     advancing: EnergyIntegrals<'a, R>,
     receding: EnergyIntegrals<'a, R>,
 }
@@ -32,7 +32,7 @@ pub struct EdgeLoss<R> {
     pub hysteresis: R,
 }
 
-impl<'a, R: Real> EdgeEnergies<'a, R> {
+impl<'a, R: Special> EdgeEnergies<'a, R> {
     /// From the branches of each edge.
     pub fn new(advancing: &'a SearchedBranches<R>, receding: &'a SearchedBranches<R>) -> Self {
         EdgeEnergies { advancing: EnergyIntegrals::new(advancing), receding: EnergyIntegrals::new(receding) }
@@ -50,18 +50,24 @@ impl<'a, R: Real> EdgeEnergies<'a, R> {
     /// # Errors
     /// Errors of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this arithmetic.
     pub fn losses(&self, path: &Path<R>) -> Vec<Result<EdgeLoss<R>>> {
-        let mut last = None;
-        let mut losses = Vec::with_capacity(path.events.len());
-        for event in &path.events {
-            let before = last.replace(event).map_or(&event.before, |last| &last.after);
-            let loss = || {
-                let hysteresis =
-                    self.hysteresis(before, &event.before)? + self.hysteresis(&event.before, &event.after)?;
-                Ok(EdgeLoss { jump: self.event(event)?.1, hysteresis })
-            };
-            losses.push(loss());
-        }
-        losses
+        let of = |(event, hysteresis): (&Event<R>, Result<R>)| {
+            Ok(EdgeLoss { hysteresis: hysteresis?, jump: self.event(event)?.1 })
+        };
+        path.events.iter().zip(self.by_receding(path)).map(of).collect()
+    }
+
+    /// What a receding edge loses on the way to each event and in it, as in [`EdgeLoss`]; it is known where the energy of a jump is
+    /// not.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if an energy is not representable in this arithmetic.
+    pub fn by_receding(&self, path: &Path<R>) -> Vec<Result<R>> {
+        let before = path.events.first().map(|first| &first.before).into_iter();
+        let before = before.chain(path.events.iter().map(|event| &event.after));
+        let of = |(before, event): (&ContactState<R>, &Event<R>)| {
+            Ok(self.hysteresis(before, &event.before)? + self.hysteresis(&event.before, &event.after)?)
+        };
+        before.zip(&path.events).map(of).collect()
     }
 
     /// The increase of the energy stored in the contact and in the spring of a machine along a path, in J; `None` for complete

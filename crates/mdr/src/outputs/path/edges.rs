@@ -146,12 +146,10 @@ pub(super) fn with_energy<R: SceneReal>(
     let mut jumps = Vec::with_capacity(path.events.len());
     let mut hysteresis = Vec::with_capacity(path.events.len());
     for (event, loss) in path.events.iter().zip(energies.losses(path)) {
-        let (jump, lost) = match loss {
-            Ok(EdgeLoss { jump, hysteresis }) => (Ok(jump), Value::Known(of_area(hysteresis))),
-            Err(error) => (Err(error.clone()), unknown(error)?),
-        };
-        jumps.push(dissipated(event, jump)?);
-        hysteresis.push(lost);
+        jumps.push(dissipated(event, loss.map(|EdgeLoss { jump, .. }| jump))?);
+    }
+    for lost in energies.by_receding(path) {
+        hysteresis.push(lost.map_or_else(unknown, |lost| Ok(Value::Known(of_area(lost))))?);
     }
     let balance = balance(path, way, energies.stored(path), &jumps)?;
     let balance = balance.map(|balance| split(balance, &hysteresis));
