@@ -2,7 +2,7 @@
 """Checks certificates of mdr (schema mdr.certificate/1), without mdr, in Arb.
 
     pip install python-flint
-    python3 scripts/check_certificates.py CERTIFICATE.json [MORE.jsonl ...]
+    python3 scripts/check_certificates.py CERTIFICATE.json [MORE.jsonl ...] [--records RECORDS.jsonl ...]
 
 What is taken from the theory are its definitions. With the heights f(r), C(a) is the controlled quantity (d, F or d + F/k) of
 the equilibrium with contact radius a:
@@ -21,6 +21,9 @@ trend that is claimed, each fold and each equilibrium lies where it is printed (
 digit), none is missing by the signs of C - value between the turning points, and the path is the one that follows from these.
 Not checked: energies, and whether surfaces overlap outside of the contact.
 
+With --records, the digits of published records are compared with those of the certificates that were checked, each of which is
+proved then: certificate_records.py.
+
 Exit status: 0 all checked, 1 one is refused, 77 python-flint is not there.
 """
 
@@ -36,6 +39,7 @@ except ImportError:
     sys.exit(77)
 
 from certificate_contact import EFFORT, ROUGH, Contact, Refused, bisected, half_unit, hull, rational, require
+from certificate_records import compared
 
 DEPTH = 64  # halvings of a cell
 LEAVES = 4000  # parts of a cell
@@ -470,17 +474,26 @@ def lines(file):
 
 
 def main():
-    files, start, wrong, total = sys.argv[1:], time.time(), 0, [0, 0, 0, 0]
+    arguments, start, wrong, total = sys.argv[1:], time.time(), 0, [0, 0, 0, 0]
+    end = arguments.index("--records") if "--records" in arguments else len(arguments)
+    files, records, checked = arguments[:end], arguments[end + 1 :], []
     for file in files:
         for number, given in enumerate(lines(file), 1):
             try:
                 counts = Certificate(given).check()
                 total = [x + y for x, y in zip(total, counts)]
+                checked.append(given)
             except Refused as why:
                 wrong += 1
                 print(f"{file}:{number}: refused: {why}")
     cells, folds, states, events = total
     print(f"{cells} cells, {folds} folds, {states} equilibria, {events} events checked; {wrong} certificates refused; {time.time() - start:.1f} s")
+    if records:
+        same, contacts, differ, apart = compared(records, checked)
+        print(f"{same} records of {contacts} contacts have the digits of their certificates, {len(differ)} differ, {apart} have none")
+        for name in differ:
+            print(f"not the digits of its certificate: {name}")
+        wrong += len(differ)
     sys.exit(1 if wrong else 0)
 
 

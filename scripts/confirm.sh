@@ -25,7 +25,8 @@ if [ "$status" -eq 0 ]; then
     # (mdr reference --certificates target/certificates.jsonl).
     "$python" tests/certificates/refuse.py
     "$python" scripts/check_certificates.py tests/certificates/*.json
-    [ ! -f target/certificates.jsonl ] || "$python" scripts/check_certificates.py target/certificates.jsonl
+    [ ! -f target/certificates.jsonl ] ||
+        "$python" scripts/check_certificates.py target/certificates.jsonl --records crates/mdr-reference/data/*.jsonl
 fi
 # 77: python-flint could not be installed; the script has said so.
 [ "$status" -eq 77 ] || exit "$status"
