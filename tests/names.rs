@@ -98,3 +98,20 @@ fn declarations_are_seen() {
                   pub trait Real: Clone {\npub struct $name {\n#[cfg(test)]\nmod tests { pub struct Tested; }";
     assert_eq!(declared(source), ["Row", "Kind", "Answer", "Real"]);
 }
+
+/// A reader lands on a comment from a search: it does not lean on the one before it.
+#[test]
+fn comments_stand_alone() {
+    let begins = |line: &str| {
+        let text = ["///", "//!"].iter().find_map(|mark| line.trim_start().strip_prefix(mark)).unwrap_or_default();
+        ["The same", "Those of", "As ["].iter().any(|start| text.trim_start().starts_with(start))
+    };
+    assert!(begins("    /// The same for a machine.") && !begins("/// On the same branch."));
+    let mut found = Vec::new();
+    for path in sources() {
+        let source = fs::read_to_string(&path).unwrap();
+        let leaning = |line: &&str| begins(line) || line.contains("///") && line.to_lowercase().contains("none where");
+        found.extend(source.lines().filter(leaning).map(|line| format!("{}: {}", path.display(), line.trim())));
+    }
+    assert!(found.is_empty(), "comments that do not stand alone:\n{}", found.join("\n"));
+}

@@ -242,6 +242,50 @@ fn messages_repeat_little_and_nothing_that_steers_a_terminal() {
     }
 }
 
+/// What is written is named in messages as it is, but for what steers a terminal.
+#[cfg(unix)]
+#[test]
+fn names_of_files_steer_no_terminal() {
+    let folder = folder("names");
+    let strange = "a\u{1b}[31m\u{7}b";
+    let scene = root().join("examples/scenes/paraboloid.toml");
+    let fit = std::fs::read_to_string(root().join("examples/fits/tip.toml")).unwrap();
+    std::fs::copy(&scene, folder.join(format!("{strange}.toml"))).unwrap();
+    std::fs::write(folder.join(format!("fit{strange}.toml")), fit).unwrap();
+    for (curve, file) in [("one", "tip.csv"), ("two", "tip.csv")] {
+        std::fs::copy(root().join("examples/fits").join(file), folder.join(format!("{curve}{strange}.csv"))).unwrap();
+    }
+    for (arguments, is_fine) in [
+        (vec!["solve", "S.toml", "--out", "S", "--digits", "6"], true),
+        (vec!["solve", "S.toml", "--plot", "S.svg", "--digits", "6"], true),
+        (vec!["solve", "S.toml", "--plot", "S.txt"], false),
+        (vec!["solve", "S.toml", "--certificate", "S/S/S"], false),
+        (vec!["solve", "S.tom"], false),
+        (vec!["reference", "--export", "S.csv"], true),
+        (vec!["reference", "--export", "S"], false),
+        (vec!["reference", "--data-sets", "S"], true),
+        (vec!["reference", "--table", "jkr-sphere", "--export", "S.h"], true),
+        (vec!["judge", "S"], false),
+        (vec!["cite", "S"], false),
+        (vec!["cite", "S.toml"], false),
+        (vec!["verify", "--merge", "S"], false),
+        (vec!["critical", "--batch", "S"], false),
+        (vec!["fit", "fitS.toml", "oneS.csv", "twoS.csv"], true),
+        (vec!["fit", "fitS.toml", "--batch", "S/no"], false),
+    ] {
+        let line: Vec<String> = arguments.iter().map(|word| word.replace('S', strange)).collect();
+        let output =
+            std::process::Command::new(env!("CARGO_BIN_EXE_mdr")).args(&line).current_dir(&folder).output().unwrap();
+        for said in [&output.stdout, &output.stderr] {
+            let said = String::from_utf8_lossy(said);
+            assert!(!said.contains(['\u{1b}', '\u{7}']), "{line:?}: {said:?}");
+        }
+        assert_eq!(output.status.success(), is_fine, "{line:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    let svg = std::fs::read_to_string(folder.join(format!("{strange}.svg"))).unwrap();
+    assert!(svg.contains("[31m") && !svg.contains(['\u{1b}', '\u{7}']), "no XML holds such characters");
+}
+
 #[test]
 fn line_numbers_do_not_depend_on_marks_and_line_ends() {
     let folder = folder("lines");

@@ -1,6 +1,7 @@
 //! Why the program stops without an answer, and with which exit status.
 
-use std::{fmt, io};
+use std::fmt;
+use std::io::{self, Write};
 
 use mdr_core::contact::{Error as ContactError, Quantity};
 use mdr_core::text::{excerpt, printable};
@@ -62,6 +63,12 @@ impl Failure {
     pub(crate) fn file(name: impl Into<String>, source: impl Into<io::Error>) -> Self {
         Failure::File { name: name.into(), source: source.into() }
     }
+}
+
+/// Says on standard error why something failed.
+pub(crate) fn complain(why: impl fmt::Display) {
+    // A closed standard error changes nothing.
+    let _ = io::stderr().write_fmt(format_args!("error: {why}\n"));
 }
 
 impl From<mdr::Error> for Failure {

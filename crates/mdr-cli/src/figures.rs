@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use mdr_core::text::printable;
 use mdr_plot::figures::FIGURES;
 use mdr_plot::{Picture, Sheet};
 use serde::Serialize;
@@ -71,8 +72,8 @@ impl Figures {
                 let mut files = table(&["file", "data", "what it shows"]);
                 for figure in written {
                     files.add_row([
-                        cell(&figure.svg, CellStyle::Good),
-                        cell(&figure.csv, CellStyle::Plain),
+                        cell(printable(&figure.svg), CellStyle::Good),
+                        cell(printable(&figure.csv), CellStyle::Plain),
                         cell(&figure.title, CellStyle::Plain),
                     ]);
                 }

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use mdr_core::text::printable;
+
 use crate::error::{Failure, Result};
 use crate::output::Output;
 
@@ -129,6 +131,11 @@ fn probe(folder: &Path) -> io::Result<()> {
 /// Makes a folder where there is none.
 pub(crate) fn make_folder(flag: &str, path: &Path) -> Result<()> {
     fs::create_dir_all(path).map_err(|error| of_flag(flag, path, error))
+}
+
+/// The name of a file or a folder in a message: on one line, every character that is not printed escaped.
+pub(crate) fn shown(path: &Path) -> String {
+    printable(&path.display().to_string()).to_string()
 }
 
 /// A file that a flag names, and that cannot be used.

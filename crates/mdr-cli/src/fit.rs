@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use indicatif::ParallelProgressIterator;
 use mdr::answer::NumberStyle;
-use mdr_core::text::excerpt;
+use mdr_core::text::{excerpt, printable};
 use mdr_fit::{Fit as Answer, FitStatus, Problem};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
@@ -132,7 +132,7 @@ impl Fit {
     }
 
     fn draw(&self, answer: &Answer) -> Result<()> {
-        let name = self.fit.file_stem().map_or_else(String::new, |stem| format!(": {}", stem.display()));
+        let name = self.fit.file_stem().map_or_else(String::new, |stem| format!(": {}", files::shown(stem.as_ref())));
         let title = format!("{} of a {}{name}", answer.observation.name(), answer.profile);
         self.picture.draw(|| Ok(mdr_plot::fit(&title, answer)))
     }
@@ -191,10 +191,11 @@ fn write(fitted: &[Fitted], format: Format, out: &mut Out<impl std::io::Write>) 
         Format::Table => {
             let rows = fitted.iter().flat_map(|(file, answer)| cells(file, answer));
             let rows = rows.map(|[file, status, name, value, stderr, _, unit]| {
-                [excerpt(&file).to_string(), status, name, value, stderr, unit]
+                [excerpt(&file).to_string(), status, printable(&name).to_string(), value, stderr, unit]
             });
             let header = ["file", "status", "number", "estimate", "standard error", "unit"];
             let warnings = fitted.iter().flat_map(|(file, answer)| {
+                let file = excerpt(file);
                 let warnings = answer.iter().flat_map(|answer| &answer.warnings);
                 let warnings = warnings.map(move |warning| format!("{file}: Warning: {warning}."));
                 let reason = answer.iter().filter(|answer| !answer.reason.is_empty());

@@ -30,7 +30,7 @@ use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser, Subcommand};
 use mdr_core::text::excerpt;
 
-use crate::error::{Failure, Result};
+use crate::error::{Failure, Result, complain};
 use crate::output::Output;
 
 /// Reference software for adhesion instabilities of axisymmetric contacts.
@@ -83,8 +83,7 @@ fn ending(result: Result<bool>) -> ExitCode {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
         Err(failure) => {
-            // A closed standard error changes nothing.
-            let _ = std::io::stderr().write_fmt(format_args!("error: {failure}\n"));
+            complain(failure);
             ExitCode::from(2)
         }
     }

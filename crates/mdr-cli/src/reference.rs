@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
+use mdr_core::text::printable;
 use mdr_reference::{Filter, Record, Table, TableFormat};
 
-use crate::error::{Failure, Result};
+use crate::error::{Failure, Result, complain};
 use crate::files;
 use crate::output::{Format, Output};
 use crate::table::{CellStyle, cell, render, render_whole, table, text_table};
@@ -114,11 +115,12 @@ impl Reference {
     }
 }
 
+/// Writes the records into a folder; whether all could be certified.
 fn generate(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<bool> {
     let records = match mdr_records::generate() {
         Ok(records) => records,
         Err(error) => {
-            out.text(error)?;
+            complain(Failure::refused("--generate", error));
             return Ok(false);
         }
     };
@@ -126,7 +128,7 @@ fn generate(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<bool
     for (file, content) in records {
         let path = folder.join(file);
         files::write("--generate", &path, &content)?;
-        out.text(format_args!("{}: {} records", path.display(), content.lines().count()))?;
+        out.text(format_args!("{}: {} records", files::shown(&path), content.lines().count()))?;
     }
     Ok(true)
 }
@@ -136,13 +138,13 @@ fn certificates(file: &Path, out: &mut Output<impl std::io::Write>) -> Result<bo
     let (lines, without) = match mdr_records::certificates() {
         Ok(certificates) => certificates,
         Err(error) => {
-            out.text(error)?;
+            complain(Failure::refused("--certificates", error));
             return Ok(false);
         }
     };
     files::write("--certificates", file, &lines)?;
-    out.text(format_args!("{}: {} certificates", file.display(), lines.lines().count()))?;
-    without.iter().try_for_each(|why| out.text(format_args!("without a certificate: {why}")))?;
+    out.text(format_args!("{}: {} certificates", files::shown(file), lines.lines().count()))?;
+    without.iter().for_each(|why| complain(format_args!("without a certificate: {}", printable(why))));
     Ok(without.is_empty())
 }
 
@@ -154,7 +156,7 @@ fn data_sets(folder: &Path, out: &mut Output<impl std::io::Write>) -> Result<()>
         let [fit, curve] = ["toml", "csv"].map(|extension| folder.join(set.name).with_extension(extension));
         files::write(FLAG, &fit, set.fit)?;
         files::write(FLAG, &curve, set.curve)?;
-        out.text(format_args!("{}: {} rows, {}", fit.display(), set.rows(), set.level))?;
+        out.text(format_args!("{}: {} rows, {}", files::shown(&fit), set.rows(), set.level))?;
     }
     Ok(())
 }
@@ -168,7 +170,7 @@ fn export(file: &Path, chosen: &[&Record], out: &mut Output<impl std::io::Write>
         _ => return Err(Failure::flag("--export", "must end in .jsonl or .csv", &name)),
     };
     files::create("--export", file, |out| write(format, chosen, out))?;
-    out.text(format_args!("{name}: {} records", chosen.len()))
+    out.text(format_args!("{}: {} records", files::shown(file), chosen.len()))
 }
 
 /// Writes records for a program or a spreadsheet.
@@ -202,7 +204,7 @@ fn export_table(file: &Path, table: &Table, out: &mut Output<impl std::io::Write
     let (format, _) =
         format.ok_or_else(|| Failure::flag("--export", format_args!("must end in {}", extensions()), &name))?;
     files::write("--export", file, table.write(format))?;
-    out.text(format_args!("{name}: {} rows", table.rows().count()))
+    out.text(format_args!("{}: {} rows", files::shown(file), table.rows().count()))
 }
 
 /// The extensions of the files of a table: `.csv, .json … or .jl`.

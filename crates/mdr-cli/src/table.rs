@@ -39,7 +39,7 @@ pub(crate) fn cell(content: impl ToString, tone: CellStyle) -> Cell {
     }
 }
 
-/// The columns of the terminal that reads standard output; none where that is a file or a pipe.
+/// The columns of the terminal that reads standard output; `None` for a file or a pipe.
 pub(crate) fn terminal_width() -> Option<usize> {
     if !std::io::stdout().is_terminal() {
         return None;

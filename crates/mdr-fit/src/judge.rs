@@ -14,7 +14,7 @@ const NULL: f64 = 1e-8;
 /// The most iterations of a decomposition: nalgebra sets no limit of its own, and some matrices never end there.
 const ITERATIONS: usize = 10_000;
 
-/// The singular values and vectors of a matrix, the right ones and if asked the left ones; none where an entry is not finite
+/// The singular values and vectors of a matrix, the right ones and if asked the left ones; `None` if an entry is not finite
 /// or the iteration does not end.
 fn decomposed(matrix: DMatrix<f64>, with_left: bool) -> Option<SVD<f64, Dyn, Dyn>> {
     let is_finite = matrix.iter().all(|entry| entry.is_finite());
@@ -22,7 +22,7 @@ fn decomposed(matrix: DMatrix<f64>, with_left: bool) -> Option<SVD<f64, Dyn, Dyn
 }
 
 /// The least-squares solution of matrix · solution = right, without the directions whose singular values are at most `least`;
-/// none where the matrix has no decomposition.
+/// `None` if the matrix has no decomposition.
 pub(super) fn least_squares(matrix: DMatrix<f64>, right: &DVector<f64>, least: f64) -> Option<DVector<f64>> {
     decomposed(matrix, true)?.solve(right, least).ok()
 }

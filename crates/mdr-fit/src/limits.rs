@@ -179,8 +179,8 @@ pub(super) fn variance(fit: &Fit) -> f64 {
     }
 }
 
-/// The fall of the sum of squares from one fit to another, in variances of the other; none where they do not count alike or the
-/// other determines nothing.
+/// The fall of the sum of squares from one fit to another, in variances of the other; `None` if their sums of squares are not
+/// comparable or the other determines nothing.
 pub(super) fn fall(fit: &Fit, other: &Fit) -> Option<f64> {
     let is_comparable = other.rss_unit == fit.rss_unit && other.status != FitStatus::Unidentifiable;
     is_comparable.then(|| (fit.rss - other.rss) / (other.rss / other.dof.max(1) as f64))

@@ -7,7 +7,7 @@ use crate::{Axis, Colour, Layer, Mark, Panel, Picture, Side, Stroke, Unit};
 pub struct ComparedQuestion<'a> {
     /// The question in words.
     pub title: &'a str,
-    /// The digits that any method in double precision is left with; none where digits without end are asked for.
+    /// The digits that any method in double precision is left with; `None` if the question has no such limit.
     pub attainable: Option<f64>,
     /// Who answers.
     pub methods: Vec<ComparedMethod<'a>>,

@@ -28,6 +28,9 @@ def test_json_is_read_as_json(indent: int | None, before: str) -> None:
 
 
 def test_json_at_fault_says_what_and_names_no_file() -> None:
+    for text in ("[1,2]", "  [", "{", "[1,\n2]", '["figure-4.toml"]'):
+        with pytest.raises(mdr.SceneError, match="JSON"):  # never the name of a file
+            mdr.solve(text)
     with pytest.raises(mdr.SceneError, match="radius"):
         mdr.solve('{"profile": {"kind": "sphere", "radius": -1}, "output": {"want": ["transform"], "transform": {"at": [1]}}}')
     with pytest.raises(mdr.SceneError):

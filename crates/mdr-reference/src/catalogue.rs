@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::OnceLock;
 
-use crate::decimal::Decimal;
+use crate::fraction::Fraction;
 use crate::record::Record;
 use crate::text::excerpt;
 
@@ -77,7 +77,7 @@ pub fn record(id: &str) -> Option<&'static Record> {
 ///
 /// A term is `key=value`, `key!=value` or `key~part` (contains). Keys: `id`, `profile`, `formula`, `quantity`, `unit`,
 /// `control` (`none` if there is none), `status`, `difficulty`, `flag` (also `physical`: [`Record::is_physical`]), and the inputs
-/// by their names, such as `n` or `radius`, whose values are compared as numbers: `n=2`, `n=0.5`. A value or a part that no record has is an
+/// by their names, such as `n` or `radius`, whose values are compared as numbers: `n=1.5`, `n=3/2`. A value or a part that no record has is an
 /// error, and so are terms that no record satisfies together: an empty selection due to a typing error would pass every
 /// test.
 ///
@@ -249,8 +249,8 @@ impl Term {
 
     /// Whether an input has this value in another notation.
     fn is_number(&self, text: &str) -> bool {
-        let number = |text: &str| text.parse::<Decimal>().ok();
-        matches!(self.key, Key::Input(_)) && number(text).is_some_and(|own| number(&self.value) == Some(own))
+        matches!(self.key, Key::Input(_))
+            && Fraction::of(text).is_some_and(|own| Fraction::of(&self.value) == Some(own))
     }
 
     fn holds(&self, record: &Record) -> bool {

@@ -220,6 +220,30 @@ impl std::ops::Add for &Decimal {
     }
 }
 
+impl std::ops::Mul for &Decimal {
+    type Output = Decimal;
+    fn mul(self, other: &Decimal) -> Decimal {
+        let mut sums = vec![0_u64; self.digits.len() + other.digits.len()];
+        for (place, one) in self.digits.iter().enumerate() {
+            for (at, digit) in other.digits.iter().enumerate() {
+                sums[place + at + 1] += u64::from(*one) * u64::from(*digit);
+            }
+        }
+        let mut carry = 0;
+        let mut digits: Vec<u8> = sums
+            .into_iter()
+            .rev()
+            .map(|sum| {
+                let sum = sum + carry;
+                carry = sum / 10;
+                (sum % 10) as u8
+            })
+            .collect();
+        digits.reverse();
+        Decimal::new(self.negative != other.negative, digits, self.exponent + other.exponent)
+    }
+}
+
 impl PartialOrd for Decimal {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))

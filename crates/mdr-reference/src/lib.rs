@@ -31,6 +31,7 @@ mod catalogue;
 mod data_set;
 mod decimal;
 mod difficulty;
+mod fraction;
 mod hexadecimal;
 mod json;
 mod judge;

@@ -126,3 +126,19 @@ fn digits_of_a_function_are_refused() {
         assert!(enclosed.to_string().contains("f64"), "{enclosed}");
     }
 }
+
+/// A function is no formula in what is said of its states.
+#[test]
+fn doubts_about_a_function_name_a_function() {
+    let answer = asked(on_rubber(quartic()));
+    let basis = mdr::answer::described(answer.admissibility.expect("states"));
+    assert!(basis.contains("g of a function was searched") && !basis.contains("formula"), "{basis}");
+    let admissions = answer.folds().expect("wanted").items.iter().map(|fold| &fold.admissible);
+    let doubts: Vec<_> = admissions
+        .filter_map(|admissible| match admissible {
+            mdr::answer::Admission::Unknown { why } => Some(*why),
+            _ => None,
+        })
+        .collect();
+    assert!(!doubts.is_empty() && doubts.iter().all(|why| !why.contains("formula")), "{doubts:?}");
+}

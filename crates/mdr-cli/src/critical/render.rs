@@ -49,9 +49,7 @@ fn for_reader(answer: &CriticalAnswer, assumed: bool, style: &NumberStyle) -> St
         let text = value.map_or("none".to_owned(), |value| style.value(value, unit));
         table.add_row([cell(name, CellStyle::Plain), cell(text, tone), cell(style.unit(unit), CellStyle::Faint)]);
     }
-    let mut heading = answer.heading();
-    if assumed {
-        heading = heading.replacen("controlled indentation", "controlled indentation (no --control is given)", 1);
-    }
+    let note = if assumed { " (no --control is given)" } else { "" };
+    let heading = answer.heading_with(note);
     format!("{heading}\n\n{}\n\n{}", render(&table), answer.explanation())
 }

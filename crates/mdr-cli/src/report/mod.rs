@@ -83,7 +83,7 @@ impl Report {
                 let (table, count) = (render(&table), findings.ladders.len());
                 out.text(format_args!(
                     "{table}\n\n{count} ladders, {open} not accepted\n\nThe page: {}",
-                    page.display()
+                    files::shown(&page)
                 ))
             }
         }

@@ -111,8 +111,10 @@ fn open(path: &Path) -> Result<Scene> {
 
 /// The picture of the scene that was read from the file `from`.
 fn picture(scene: &Scene, from: &Path) -> Result<Picture> {
-    let name =
-        from.file_stem().filter(|stem| *stem != "-").map_or_else(String::new, |stem| format!(": {}", stem.display()));
+    let name = from
+        .file_stem()
+        .filter(|stem| *stem != "-")
+        .map_or_else(String::new, |stem| format!(": {}", files::shown(stem.as_ref())));
     let title = format!("{} under controlled {}{name}", scene.profile().name(), scene.controlled().kind().name());
     Ok(mdr_plot::scene(&title, &scene.diagram()?))
 }

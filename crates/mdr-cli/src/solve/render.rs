@@ -44,8 +44,13 @@ fn for_reader(answer: &Answer, style: &NumberStyle) -> String {
 
 fn output(answer: &Answer, output: &Output, style: &NumberStyle) -> String {
     let rows = output.table();
-    let table = if rows.is_empty() { " none".to_owned() } else { table_of(answer, output, &rows, style) };
-    let heading = format!("{} ({})", output.kind().name(), output.promise().name());
+    let undecided = output.complete().is_some_and(|complete| complete.undecided);
+    let table = match rows.is_empty() {
+        true if undecided => " none found".to_owned(),
+        true => " none".to_owned(),
+        false => table_of(answer, output, &rows, style),
+    };
+    let heading = format!("{} ({})", output.kind().name(), output.standing());
     [heading, table].into_iter().chain(answer.remarks(output, style)).collect::<Vec<_>>().join("\n\n")
 }
 
@@ -126,7 +131,7 @@ pub(crate) fn write_files(
     for output in &answer.outputs {
         let file = folder.join(format!("{}.csv", output.kind().name()));
         files::create_csv("--out", &file, |out| out.spreadsheet(&answer.spreadsheet_of(output, scene, style)))?;
-        out.text(file.display())?;
+        out.text(files::shown(&file))?;
         output.sentences(&plain).iter().try_for_each(|sentence| out.text(sentence))?;
     }
     answer.notes.iter().try_for_each(|note| out.text(format_args!("Note: {note}.")))

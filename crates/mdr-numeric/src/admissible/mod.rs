@@ -53,7 +53,7 @@ pub(crate) use refine::{lost_roughly, proved_touch};
 /// ```
 pub struct Admissibility {
     terrain: Option<Terrain>,
-    /// For a formula, whose narrow dips the search may miss.
+    /// For a formula or a function, whose narrow dips the search may miss.
     touch: Option<FirstTouch>,
     /// Why nothing is known.
     unknown: Option<&'static str>,
@@ -73,7 +73,37 @@ pub enum FirstTouch {
     Open {
         /// The indentation, in m, at which they certainly do not touch yet; −∞ if there is none.
         at_least: f64,
+        /// Where f comes from.
+        heights: HeightSource,
     },
+}
+
+impl FirstTouch {
+    fn heights(&self) -> HeightSource {
+        match self {
+            FirstTouch::Open { heights, .. } => *heights,
+            _ => HeightSource::Formula,
+        }
+    }
+}
+
+/// Where the heights of a profile come from whose narrow dips a search may miss.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HeightSource {
+    /// A formula, of which enclosures tell something.
+    Formula,
+    /// A function of a program, which is known at radii only.
+    Function,
+}
+
+impl HeightSource {
+    /// Its name in a sentence.
+    pub fn name(self) -> &'static str {
+        match self {
+            HeightSource::Formula => "formula",
+            HeightSource::Function => "function",
+        }
+    }
 }
 
 /// The admissibility of a state.
@@ -103,11 +133,13 @@ pub enum Basis {
     Searched,
     /// The search did not resolve g everywhere: an interpenetration that is found is certain, but others may exist.
     Doubtful,
-    /// The profile is a formula, and may have dips between the radii of the search: an interpenetration that is found is
+    /// The profile is a formula or a function, and may have dips between the radii of the search: an interpenetration that is found is
     /// certain, and no state is called admissible.
     Unproved {
         /// The largest distance between two radii at which the search has seen g, over the smaller one.
         width: f64,
+        /// Where f comes from.
+        heights: HeightSource,
     },
 }
 
@@ -124,7 +156,7 @@ impl Admissibility {
         Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None, isolated: false, unknown: None }
     }
 
-    /// For a transformed formula of which nothing else is proved. The extrema are searched as by [`Admissibility::new`], but
+    /// For a transformed formula or function of which nothing else is proved. The extrema are searched as by [`Admissibility::new`], but
     /// interpenetrations that the search does not find may exist.
     pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
         Admissibility {
@@ -194,11 +226,13 @@ impl Admissibility {
             None if self.isolated => Basis::Isolated,
             None => Basis::Bound,
             Some(_) if self.isolated => Basis::Isolated,
-            Some(terrain) if self.touch.is_some() && terrain.width.is_finite() => {
-                Basis::Unproved { width: terrain.width }
-            }
-            Some(terrain) if terrain.resolved => Basis::Searched,
-            Some(_) => Basis::Doubtful,
+            Some(terrain) => match &self.touch {
+                Some(touch) if terrain.width.is_finite() => {
+                    Basis::Unproved { width: terrain.width, heights: touch.heights() }
+                }
+                _ if terrain.resolved => Basis::Searched,
+                _ => Basis::Doubtful,
+            },
         }
     }
 
@@ -218,10 +252,16 @@ impl Admissibility {
         }
         let apart = if !terrain.knows(a) {
             GapVerdict::Undecided("g is not resolved everywhere outside the contact")
-        } else if self.touch.is_some() && !self.isolated {
-            GapVerdict::Undecided("the formula may dip between the radii at which g was looked at")
         } else {
-            GapVerdict::Admissible
+            match self.touch.as_ref().filter(|_| !self.isolated).map(FirstTouch::heights) {
+                Some(HeightSource::Formula) => {
+                    GapVerdict::Undecided("the formula may dip between the radii at which g was looked at")
+                }
+                Some(HeightSource::Function) => {
+                    GapVerdict::Undecided("the function may dip between the radii at which g was looked at")
+                }
+                None => GapVerdict::Admissible,
+            }
         };
         if let Some((radius, gap)) = self.at_lowest_ring(terrain, a, d) {
             return GapVerdict::Interpenetrating { radius, gap };
@@ -259,7 +299,7 @@ impl Admissibility {
     /// first touch is not decided.
     pub(crate) fn open_touch(&self) -> Option<f64> {
         match self.touch {
-            Some(FirstTouch::Open { at_least }) => Some(at_least),
+            Some(FirstTouch::Open { at_least, .. }) => Some(at_least),
             _ => None,
         }
     }

@@ -6,7 +6,7 @@ use mdr_core::number::{Interval, Precision};
 use mdr_core::number::{Real, order};
 
 use super::extrema::Terrain;
-use super::{Admissibility, FirstTouch, gap};
+use super::{Admissibility, FirstTouch, HeightSource, gap};
 use crate::contact::Contact;
 
 /// A circle outside the contact on which the surfaces touch or interpenetrate.
@@ -85,8 +85,13 @@ fn of_formula<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>>
             let [radius, indentation] = ring.at::<R>(like.ctx());
             Ok(Some(Touch { radius, indentation }))
         }
-        FirstTouch::Open { .. } => {
-            let what = "where the surfaces first touch: enclosures of the formula do not tell its lowest point";
+        FirstTouch::Open { heights, .. } => {
+            let what = match heights {
+                HeightSource::Formula => {
+                    "where the surfaces first touch: enclosures of the formula do not tell its lowest point"
+                }
+                HeightSource::Function => "where the surfaces first touch: the lowest point of a function is not known",
+            };
             Err(Error::undecided(Quantity::Indentation, like, what))
         }
     }

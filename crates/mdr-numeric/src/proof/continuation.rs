@@ -92,6 +92,12 @@ impl Continuation {
         sum(changing.map(|(term, (before, after))| Some(term.part(after)?.at(r)?.minus(&term.part(before)?.at(r)?))))
     }
 
+    /// Whether f' certainly jumps at a kink, at whose radius r is.
+    pub(super) fn jumps(&self, kink: usize, r: &Interval) -> bool {
+        let change = self.change(&Euler::variable(r, 1), kink);
+        change.is_some_and(|change| !change.derivative(1).contains_zero())
+    }
+
     /// Bounds of g over an interval of real radii that may begin at 0 and may hold kinks; `None` where f is not defined.
     pub fn range(&self, x: &Interval) -> Option<Interval> {
         let x = x.rounded(Precision::new(BOUND_BITS));

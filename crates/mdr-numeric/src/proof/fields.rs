@@ -130,11 +130,16 @@ impl<'a> EnclosedFields<'a> {
         Ok(height - &self.d + outside)
     }
 
+    /// Whether a radius cannot be told from that of a kink of the profile.
+    pub fn is_at_kink(&self, r: &Interval) -> bool {
+        self.profile.breaks().iter().any(|b| b.overlaps(r))
+    }
+
     /// The pressure p(r) at 0 ≤ r < a, in Pa; negative is tension.
     ///
     /// # Errors
-    /// [`Error::Domain`] unless 0 ≤ r < a, and at a tip where the pressure is infinite; [`Error::Unproved`] at a kink, and where an
-    /// integral takes too many pieces.
+    /// [`Error::Domain`] unless 0 ≤ r < a, and at a tip or a kink where the pressure is infinite; [`Error::Unproved`] at any other
+    /// kink, and where an integral takes too many pieces.
     pub fn pressure(&self, r: &Interval) -> Result<Interval> {
         let a = &self.a;
         let zero = r.lit(0);
@@ -142,7 +147,11 @@ impl<'a> EnclosedFields<'a> {
             return Err(Error::domain(Quantity::Radius, r, "within the contact, 0 <= r < a"));
         }
         let breaks = self.profile.breaks();
-        if breaks.iter().any(|b| b.overlaps(r)) {
+        if let Some(kink) = breaks.iter().position(|b| b.overlaps(r)) {
+            if self.profile.jumps(kink, r) {
+                let apart = "told apart from a kink of the profile, where the pressure is infinite";
+                return Err(Error::domain(Quantity::Radius, r, apart));
+            }
             return Err(unproved(r));
         }
         let at_tip = r.upper().is_zero();

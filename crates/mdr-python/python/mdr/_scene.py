@@ -94,8 +94,15 @@ class Solution(Mapping[str, list[dict[str, Any]]]):
         contact radius. A scene that was read from a file is read again."""
         return Picture(_core.draw(*self._scene))
 
+    def _standing(self, output: str) -> str:
+        """The promise of an output, and "undecided" where it is not decided whether anything is missing."""
+        if not self.complete.get(output, {}).get("undecided"):
+            return self.promise[output]
+        is_open = all(row.get("status") == "undecided" for row in self._outputs[output])
+        return "undecided" if is_open else f"{self.promise[output]}; undecided whether all"
+
     def __repr__(self) -> str:
-        inside = ", ".join(f"{key} ({len(rows)}, {self.promise[key]})" for key, rows in self._outputs.items())
+        inside = ", ".join(f"{key} ({len(rows)}, {self._standing(key)})" for key, rows in self._outputs.items())
         return f"<Solution: {inside}>"
 
     def _repr_html_(self) -> str:
@@ -103,7 +110,7 @@ class Solution(Mapping[str, list[dict[str, Any]]]):
         for name in self._outputs:
             columns = self.columns(name)
             rows = list(zip(*([str(cell) for cell in column] for column in columns.values())))
-            tables.append(f"<h4>{name} ({self.promise[name]})</h4>" + html_table(tuple(columns), rows))
+            tables.append(f"<h4>{name} ({self._standing(name)})</h4>" + html_table(tuple(columns), rows))
         return "".join(tables)
 
 
@@ -119,6 +126,19 @@ def _numbers(value: Any, number: Any) -> Any:
         except (decimal.InvalidOperation, ValueError):
             return value  # words that end in a digit, or an exponent that no Decimal has
     return value
+
+
+def _is_json(text: str) -> bool:
+    """Whether a text is JSON, and neither TOML nor the name of a file: it begins with a brace or a bracket. A table of TOML begins
+    with a bracket too, and has more lines."""
+    text = text.lstrip()
+    if not text.startswith("[") or "\n" not in text:
+        return text.startswith(("{", "["))
+    try:
+        json.loads(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _double(text: str) -> float:
@@ -138,7 +158,7 @@ def solve(scene: Mapping[str, Any] | File, *, digits: int | None = None, f64: bo
     ----------
     scene : mapping or str or path
         A mapping with the keys of a scene, whose profile may be a :class:`Profile`; the name of a ``.toml`` or ``.json``
-        file; JSON itself, a ``str`` that begins with ``{``; or TOML itself, a ``str`` with a line break. Numbers are exact as
+        file; JSON itself, a ``str`` that begins with ``{`` or ``[``; or TOML itself, a ``str`` with a line break. Numbers are exact as
         typed, also floats.
     digits : int, optional
         So many significant digits, from 1 to 100 000; what the scene says without, else 20. Takes precedence over the scene.
@@ -173,7 +193,7 @@ def solve(scene: Mapping[str, Any] | File, *, digits: int | None = None, f64: bo
         scene = scene.removeprefix("\ufeff")
     if isinstance(scene, Mapping):
         form, text = "json", scene_text(scene, files)
-    elif isinstance(scene, str) and scene.lstrip().startswith("{"):
+    elif isinstance(scene, str) and _is_json(scene):
         form, text = "json", scene
     elif isinstance(scene, str) and "\n" in scene:
         form, text = "toml", scene

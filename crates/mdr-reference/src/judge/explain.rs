@@ -205,7 +205,7 @@ impl Match {
 }
 
 impl<'a> Compared<'a> {
-    /// None where one of the two is no normal double.
+    /// `None` unless both are normal doubles.
     fn of(judged: &Judged<'a>) -> Option<Self> {
         Some(Compared { record: judged.record, certified: normal(judged.record)?, answer: judged.value? })
     }

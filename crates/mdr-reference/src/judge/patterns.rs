@@ -31,7 +31,7 @@ struct Pair<'a> {
 }
 
 impl<'a> Pair<'a> {
-    /// None where one of the two is no normal double.
+    /// `None` unless both are normal doubles.
     fn of(judged: &Judged<'a>) -> Option<Self> {
         let (certified, answer) = (normal(judged.record)?, judged.value?);
         Some(Pair { record: judged.record, certified, answer, right: judged.mark.verdict == Verdict::Right })

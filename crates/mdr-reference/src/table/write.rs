@@ -13,7 +13,7 @@ pub enum TableFormat {
     Json,
     /// A header of C and C++ with a constant array of structures, NAN where there is no number.
     C,
-    /// A module of Python with a list of dictionaries, None where there is no number.
+    /// A module of Python with a list of dictionaries; a missing number is `None`.
     Python,
     /// A module of Fortran 2008 with a constant array for each column, NaN where there is no number.
     Fortran,

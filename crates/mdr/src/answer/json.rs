@@ -43,7 +43,7 @@ impl Serialize for Answer {
         }
         if let Some(basis) = self.admissibility {
             map.serialize_entry("admissibility", &described(basis))?;
-            if let Basis::Unproved { width } = basis {
+            if let Basis::Unproved { width, .. } = basis {
                 map.serialize_entry("admissibility_resolved_width", &width)?;
             }
         }

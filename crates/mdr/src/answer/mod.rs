@@ -96,10 +96,11 @@ pub fn described(basis: Basis) -> Cow<'static, str> {
             "decided in f64; the extrema of g were not resolved everywhere: an overlap that is found is one, and where none is \
              found it is not known"
         }
-        Basis::Unproved { width } => {
+        Basis::Unproved { width, heights } => {
             return Cow::Owned(format!(
-                "not decided where no overlap is found: g of a formula was searched in f64, at radii up to {width:.2} of \
-                 themselves apart, and a narrower dip of the formula may be missed; an overlap that is found is one"
+                "not decided where no overlap is found: g of a {heights} was searched in f64, at radii up to {width:.2} of \
+                 themselves apart, and a narrower dip of the {heights} may be missed; an overlap that is found is one",
+                heights = heights.name()
             ));
         }
     })

@@ -5,6 +5,8 @@ use crate::scene::Scene;
 
 /// log₁₀ of a number out of range has a column of its own.
 const LOG10: &str = "log10_";
+/// The promise of an output, or of a row of it that has its own.
+const PROMISE: &str = "promise";
 
 /// Moves log₁₀ of numbers out of range to columns of their own; `magnitude` takes log₁₀ in the SI unit and the key of the number.
 fn separated(row: FlatRow, magnitude: impl Fn(f64, &str) -> f64) -> FlatRow {
@@ -29,18 +31,22 @@ impl Answer {
     pub fn spreadsheet(&self) -> Vec<Vec<String>> {
         let rows = self.outputs.iter().flat_map(|output| {
             let names = [output.kind().name(), output.promise().name()];
-            output.table().into_iter().map(move |row| (names, separated(row, |log10, _| log10)))
+            output.table().into_iter().map(move |row| {
+                let own = row.iter().find(|(key, _)| key == PROMISE).map(|(_, cell)| cell.to_string());
+                let row = row.into_iter().filter(|(key, _)| key != PROMISE).collect();
+                ([names[0].to_owned(), own.unwrap_or_else(|| names[1].to_owned())], separated(row, |log10, _| log10))
+            })
         });
-        let validity = self
-            .validity
-            .iter()
-            .map(|validity| (["validity", validity.promise().name()], separated(validity.table(), |log10, _| log10)));
-        let rows: Vec<([&str; 2], FlatRow)> = rows.chain(validity).collect();
+        let validity = self.validity.iter().map(|validity| {
+            let names = ["validity", validity.promise().name()].map(str::to_owned);
+            (names, separated(validity.table(), |log10, _| log10))
+        });
+        let rows: Vec<([String; 2], FlatRow)> = rows.chain(validity).collect();
         let keys = columns(rows.iter().map(|(_, row)| row));
-        let header = ["output", "promise"].into_iter().chain(keys.iter().map(AsRef::as_ref));
-        let rows = rows.iter().map(|(names, row)| {
-            names.iter().map(|name| (*name).to_owned()).chain(keys.iter().map(|key| text(row, key))).collect()
-        });
+        let header = ["output", PROMISE].into_iter().chain(keys.iter().map(AsRef::as_ref));
+        let rows = rows
+            .iter()
+            .map(|(names, row)| names.iter().cloned().chain(keys.iter().map(|key| text(row, key))).collect());
         std::iter::once(header.map(str::to_owned).collect()).chain(rows).collect()
     }
 

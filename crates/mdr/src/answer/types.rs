@@ -177,6 +177,9 @@ pub struct Completeness {
     pub to: Option<String>,
     /// The basis of the proof, or the reason why there is none.
     pub why: String,
+    /// Whether it was left undecided if anything is missing, at the contact radii that `why` names or everywhere.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "std::ops::Not::not"))]
+    pub undecided: bool,
 }
 
 /// The items of an output.

@@ -1,11 +1,27 @@
 //! An answer in words, beside its tables: reasons, sums, promises, and completeness.
 
-use super::{Completeness, NumberStyle, Output};
+use std::borrow::Cow;
+
+use mdr_core::contact::Status;
+
+use super::{Completeness, NumberStyle, Output, Row};
 
 /// Reasons that belong to one output.
 const MOST_REASONS: usize = 5;
 
 impl Output {
+    /// How far the list can be trusted, behind its name in a heading: its promise, and "undecided" where it is not decided whether
+    /// anything is missing. A list without a state promises nothing then.
+    pub fn standing(&self) -> Cow<'static, str> {
+        let promise = self.promise().name();
+        let is_open = |row: &Row<'_>| row.status() == Status::Undecided;
+        match self.complete() {
+            Some(complete) if complete.undecided && self.rows().iter().all(is_open) => Cow::Borrowed("undecided"),
+            Some(complete) if complete.undecided => Cow::Owned(format!("{promise}; undecided whether all")),
+            _ => Cow::Borrowed(promise),
+        }
+    }
+
     /// All that belongs below its table, a paragraph each: why numbers are missing, its [sentences](Output::sentences),
     /// numbers with a promise of their own, and whether the list is complete.
     pub fn remarks(&self, style: &NumberStyle) -> Vec<String> {

@@ -12,6 +12,11 @@ pub type NamedQuantity<'a> = (String, Option<&'a Value>, &'static str);
 impl CriticalAnswer {
     /// The question in one line.
     pub fn heading(&self) -> String {
+        self.heading_with("")
+    }
+
+    /// The question in one line, with a note behind the controlled quantity.
+    pub fn heading_with(&self, note_on_control: &str) -> String {
         let inputs = &self.inputs;
         let bodies = match &inputs.bodies {
             Some([[e1, nu1], [e2, nu2]]) => {
@@ -29,7 +34,7 @@ impl CriticalAnswer {
             Arithmetic::F64 => "f64".to_owned(),
         };
         format!(
-            "Profile f(r) = C r^n, n = {}, C = {}; E* = {} Pa{bodies}; w = {} J/m²; {control}; {promise}",
+            "Profile f(r) = C r^n, n = {}, C = {}; E* = {} Pa{bodies}; w = {} J/m²; {control}{note_on_control}; {promise}",
             inputs.n, inputs.c, inputs.e_star, inputs.work
         )
     }

@@ -3,7 +3,7 @@
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Edge, Equilibrium, Result};
 #[cfg(feature = "mp")]
-use mdr_core::contact::{Error, Quantity};
+use mdr_core::contact::{Error, Quantity, Status};
 use mdr_core::named;
 use mdr_core::number::Literal;
 use mdr_numeric::fields::Fields;
@@ -14,13 +14,12 @@ use super::path::edges::{self, Held};
 use super::path::with_edges;
 use super::room::{Open, Request, Room};
 use crate::answer::record::{Numbers, Part, Row};
-use crate::answer::{Admission, AtValue, Cell, Column, List, Number, PlainState, Value};
+use crate::answer::{Admission, AtValue, Cell, Column, List, Number, PlainState, Promise, Value};
 use crate::solve::model::SceneReal;
 use crate::solve::search::{self, Search};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
 use crate::{
-    answer::Promise,
     solve::rigorous::{self, Proved},
     solve::{certified::Certified, power_law::PowerLaw},
 };
@@ -57,6 +56,16 @@ pub struct FieldSample<N = Number> {
     pub r: Value<N>,
     /// The value of the field, in pascals or metres.
     pub value: Value<N>,
+    /// The promise of the value, where it is not that of the list.
+    pub promise: Option<Promise>,
+}
+
+impl<N> FieldSample<N> {
+    fn row(&self, name: &'static str) -> Row<'_, N> {
+        let mut row = Row::new().with("r", &self.r).with(name, &self.value);
+        row.cells.extend(self.promise.map(|promise| ("promise", Cell::Word(promise.name()))));
+        row
+    }
 }
 
 /// A field along the surface of a state.
@@ -80,15 +89,15 @@ impl<N> Numbers<N> for FieldState<N> {
     fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> FieldState<M> {
         let FieldState { state, field, samples, admissible, edge } = self;
         let state = state.map_part(f);
-        let samples = samples.into_iter().map(|FieldSample { r, value }| FieldSample { r: f(r), value: f(value) });
-        let samples = samples.collect();
+        let sample = |FieldSample { r, value, promise }| FieldSample { r: f(r), value: f(value), promise };
+        let samples = samples.into_iter().map(sample).collect();
         FieldState { state, field, samples, admissible: admissible.map_part(f), edge }
     }
 
     fn rows(&self) -> Vec<Row<'_, N>> {
         let name = self.field.name();
         let samples = self.samples.iter();
-        let samples = samples.map(|sample| Row::new().with("r", &sample.r).with(name, &sample.value)).collect();
+        let samples = samples.map(|sample| sample.row(name)).collect();
         let mut row = Row::new().with("", &self.state);
         row.cells.push((name, Cell::Rows(samples)));
         vec![row.with("", &self.admissible).with("edge", &self.edge)]
@@ -98,6 +107,7 @@ impl<N> Numbers<N> for FieldState<N> {
         let unit = |field| if field == Field::Pressure { "Pa" } else { "m" };
         let of_field = |field: Field| Column::new(field.name()).titled(field.name(), unit(field));
         let own = [Column::new("r").titled("r", "m")].into_iter().chain(Field::ALL.map(of_field));
+        let own = own.chain([Column::new("promise")]);
         <PlainState<N> as Numbers<N>>::columns().into_iter().chain(own).collect()
     }
 }
@@ -121,6 +131,12 @@ pub(super) trait FieldRoom<'w> {
     /// A radius where it is not defined; an integral that cannot be enclosed.
     #[cfg(feature = "mp")]
     fn enclosed(fields: &EnclosedFields<'_>, r: &Interval) -> Result<Interval>;
+
+    /// Whether the field of a state is not enclosed at a radius, and has to be estimated there.
+    #[cfg(feature = "mp")]
+    fn is_estimated(_: &EnclosedFields<'_>, _: &Interval) -> bool {
+        false
+    }
 
     /// Whether a state that is proved is admissible.
     ///
@@ -171,7 +187,18 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
                 edge: certified.scene.edge,
             })
         })?;
-        Ok(items.map(|items| F::OUTPUT(List::new(Promise::Certified, items))))
+        let Some(mut items) = items else { return Ok(None) };
+        if samples_of(&mut items).any(|sample| sample.promise.is_some()) {
+            match self.estimated(certified) {
+                Ok(estimated) => insert_estimates(&mut items, estimated),
+                // The other samples are there.
+                Err(Error::BudgetSpent { .. } | Error::Undecided { .. } | Error::NoConvergence { .. }) => {
+                    samples_of(&mut items).for_each(|sample| sample.promise = None);
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(Some(F::OUTPUT(List::new(Promise::Certified, items))))
     }
 
     #[cfg(feature = "mp")]
@@ -227,6 +254,30 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
     }
 }
 
+/// All samples of the states.
+#[cfg(feature = "mp")]
+fn samples_of(items: &mut [AtValue<FieldState>]) -> impl Iterator<Item = &mut FieldSample> {
+    items.iter_mut().flat_map(|at| &mut at.items).flat_map(|state| &mut state.samples)
+}
+
+/// Gives the samples that are not enclosed their estimates. Where the estimates are of other states, they stay undecided.
+#[cfg(feature = "mp")]
+fn insert_estimates(items: &mut [AtValue<FieldState>], estimated: Output) {
+    let (Output::Pressure(list) | Output::Gap(list) | Output::Displacement(list)) = estimated else { return };
+    for (at, other) in items.iter_mut().zip(list.items) {
+        if at.items.len() != other.items.len() {
+            continue;
+        }
+        let states = at.items.iter_mut().zip(other.items);
+        let samples = states.flat_map(|(state, other)| state.samples.iter_mut().zip(other.samples));
+        for (sample, other) in samples.filter(|(sample, _)| sample.promise.is_some()) {
+            sample.value = other.value;
+            // Only a number has a promise.
+            sample.promise = sample.value.promise();
+        }
+    }
+}
+
 /// The field of every equilibrium at the values, or at the start of the path.
 ///
 /// # Errors
@@ -271,7 +322,8 @@ fn samples<'w, R: SceneReal, F: FieldRoom<'w>>(
         (Value::Known(Estimate::exact(r.clone())), r)
     });
     let given = radii.iter().map(|literal| (Value::Given(literal.clone()), states.model.number(literal)));
-    let sample = |(r, at): (_, R)| Ok(FieldSample { r, value: Value::from_result(F::value(fields, &at))? });
+    let sample =
+        |(r, at): (_, R)| Ok(FieldSample { r, value: Value::from_result(F::value(fields, &at))?, promise: None });
     chosen.chain(given).map(sample).collect()
 }
 
@@ -290,7 +342,13 @@ fn proved_samples<'w, F: FieldRoom<'w>>(
     });
     let given = radii.iter().map(|literal| (Value::Given(literal.clone()), proved.enclosed.value.number(literal)));
     let sample = |(r, at): (_, Interval)| {
-        Ok(FieldSample { r, value: Value::from_result(F::enclosed(fields, &at).map(Enclosure::from))? })
+        let (value, promise) = match F::enclosed(fields, &at) {
+            Err(error @ Error::Unproved { .. }) if F::is_estimated(fields, &at) => {
+                (Value::unknown(Status::Undecided, error.to_string()), Some(Promise::Estimated))
+            }
+            value => (Value::from_result(value.map(Enclosure::from))?, None),
+        };
+        Ok(FieldSample { r, value, promise })
     };
     chosen.chain(given).map(sample).collect()
 }

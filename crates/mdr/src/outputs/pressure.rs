@@ -45,4 +45,9 @@ impl<'w> FieldRoom<'w> for Room<'w> {
     fn enclosed(fields: &EnclosedFields<'_>, r: &Interval) -> Result<Interval> {
         fields.pressure(r)
     }
+
+    #[cfg(feature = "mp")]
+    fn is_estimated(fields: &EnclosedFields<'_>, r: &Interval) -> bool {
+        fields.is_at_kink(r)
+    }
 }

@@ -162,7 +162,7 @@ impl<'a> Open<'a> {
 
     /// Of a list in which anything may be missing.
     pub(crate) fn completeness(&self) -> Completeness {
-        not_proved(&format!("undecided: {}", self.why))
+        Completeness { undecided: true, ..not_proved(&format!("undecided: {}", self.why)) }
     }
 
     /// Each value without states; the start of the path where there is no value.

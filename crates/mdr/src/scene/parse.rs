@@ -117,7 +117,7 @@ fn toml_node(text: &str, document: &Document<'_>) -> Result<Node> {
 
     use super::tree::{Content, Entry};
 
-    /// None where it is nested too deep.
+    /// `None` if it is nested too deep.
     fn node(span: std::ops::Range<usize>, value: &DeValue<'_>, depth: usize) -> Option<Node> {
         if depth > DEEPEST {
             return None;

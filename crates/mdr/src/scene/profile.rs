@@ -163,6 +163,11 @@ fn zero_at_the_tip(formula: &Expression, values: &BTreeMap<String, Literal>) -> 
 const NO_LIMIT: &str = "the profile does not tend to 0 at the tip, r → 0; heights are measured from there";
 
 fn not_zero(height: f64) -> String {
+    if height == 0.0 {
+        return "the profile is not zero at the tip: f(0) is too small for a double, but not 0; subtract the formula at r = 0 from \
+                it"
+            .to_owned();
+    }
     format!("the profile is not zero at the tip, f(0) = {height}; subtract {height} from it")
 }
 

@@ -359,6 +359,10 @@ impl<'a> InputValue<'a> {
                 entries,
                 asked: RefCell::default(),
             }),
+            _ if self.key.is_empty() => {
+                let why = format!("expected keys with values, got a {} {}", self.document.format, self.node.type_name);
+                Err(self.document.place(self.node.span.clone(), "the whole text").refuse(why))
+            }
             _ => Err(self.expected(&format!("a table [{}]", excerpt(&self.key)))),
         }
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use mdr_core::contact::Transform;
-use mdr_numeric::admissible::{Admissibility, FirstTouch, NOT_SEARCHED, search_range};
+use mdr_numeric::admissible::{Admissibility, FirstTouch, HeightSource, NOT_SEARCHED, search_range};
 
 use crate::scene::{ExactMedium, Profile, transform_in_doubles};
 
@@ -61,7 +61,8 @@ fn admissibility(profile: &Profile, transform: Arc<dyn Transform<f64>>, length: 
 }
 
 fn known(profile: &Profile) -> Known {
-    let nothing = Known { rises: false, touch: FirstTouch::Open { at_least: f64::NEG_INFINITY } };
+    let heights = if profile.has_function() { HeightSource::Function } else { HeightSource::Formula };
+    let nothing = Known { rises: false, touch: FirstTouch::Open { at_least: f64::NEG_INFINITY, heights } };
     match profile {
         #[cfg(feature = "mp")]
         Profile::Formula(formula) => {
@@ -72,7 +73,7 @@ fn known(profile: &Profile) -> Known {
                 touch: match shape.lowest {
                     Lowest::Tip => FirstTouch::Tip,
                     Lowest::Ring(ring) => FirstTouch::Ring(Box::new(ring)),
-                    Lowest::Open { at_least } => FirstTouch::Open { at_least },
+                    Lowest::Open { at_least } => FirstTouch::Open { at_least, heights },
                 },
             })
         }

@@ -179,7 +179,8 @@ impl<'s> PowerLaw<'s> {
 
 /// All, on all radii.
 pub(crate) fn complete() -> Completeness {
-    Completeness { proved: true, from: Some("0".to_owned()), to: None, why: "closed form of a power law".to_owned() }
+    let (from, why) = (Some("0".to_owned()), "closed form of a power law".to_owned());
+    Completeness { proved: true, from, to: None, why, undecided: false }
 }
 
 /// A number of a scene in the arithmetic of its answer.

@@ -76,7 +76,13 @@ impl FoldProof {
         } else {
             (Some(from.to_string()), Some(to))
         };
-        let complete = Completeness { proved: proved.is_complete(), from, to, why: reason(&proved.undecided) };
+        let complete = Completeness {
+            proved: proved.is_complete(),
+            from,
+            to,
+            why: reason(&proved.undecided),
+            undecided: !proved.undecided.is_empty(),
+        };
         Ok(FoldProof { proved, complete })
     }
 }

@@ -111,7 +111,7 @@ impl<'s> Search<'s> {
 
 /// A list that is not proved to be complete.
 pub(crate) fn not_proved(why: &str) -> Completeness {
-    Completeness { proved: false, from: None, to: None, why: why.to_owned() }
+    Completeness { proved: false, from: None, to: None, why: why.to_owned(), undecided: false }
 }
 
 /// A list of doubles, each marked where it is out of range.

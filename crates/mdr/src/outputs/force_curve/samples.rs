@@ -145,7 +145,7 @@ fn between(branches: &SearchedBranches<f64>, [from, to]: [f64; 2], value: f64) -
     }
 }
 
-/// None where the surfaces touch everywhere; without the numbers of a state that was not found.
+/// `None` if the surfaces touch everywhere; without the numbers of a state that was not found.
 fn sample(
     control: &Control<f64>,
     segment: usize,
