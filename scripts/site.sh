@@ -35,13 +35,16 @@ cd ..
 # One page: the style, the engine (gzipped, in base64) and the scripts stand where the page has their marks.
 parts=target/web/parts
 page=target/book/explorer.html
-scripts="engine scene parameters model plot pictures hysteresis body own tasks page"
+scripts="engine scene parameters model address plot pictures hysteresis body own tasks controls hands kept page"
 mkdir -p $parts target/book
-for sheet in page figures; do
-    echo "<style id=\"$sheet\">"
-    cat web/explorer/$sheet.css
+# Pictures that are saved carry the sheet of the figures.
+{
+    echo '<style id="page">'
+    for sheet in palette page controls screens lecture; do cat web/explorer/$sheet.css; done
+    printf '</style>\n<style id="figures">\n'
+    cat web/explorer/figures.css
     echo '</style>'
-done >$parts/style
+} >$parts/style
 {
     printf '<script>window.MDR_ENGINE="'
     gzip -9 -n -c $CARGO_TARGET_DIR/$target/release/mdr_wasm.wasm | base64 | tr -d '\n'

@@ -66,6 +66,7 @@ mod problem;
 mod profile;
 mod quantities;
 mod read;
+mod refusals;
 mod reported;
 mod select;
 mod sheet;
