@@ -155,17 +155,17 @@ Qed.
 (** A profile that is flat up to b and from there on has the slope f1: in (1.1) only radii above b count. *)
 Definition flat_to b (f1 : R -> R) r := if Rle_dec r b then 0 else f1 r.
 
-Lemma flat_transform b f1 x (Fp : R -> R) : 0 < b < x ->
+Lemma flat_inner b f1 x (Fp : R -> R) : 0 < b < x ->
   (forall t, is_derive Fp t (f1 (x * sin t))) -> (forall t, continuous (fun t => f1 (x * sin t)) t) ->
-  transform (flat_to b f1) x = x * (Fp (PI/2) - Fp (asin (b/x))).
+  is_RInt (fun t => flat_to b f1 (x * sin t)) 0 (PI/2) (Fp (PI/2) - Fp (asin (b/x))).
 Proof.
-  intros Hb HF Hc. pose proof PI_RGT_0. unfold transform. f_equal. set (tb := asin (b/x)).
+  intros Hb HF Hc. pose proof PI_RGT_0. set (tb := asin (b/x)).
   assert (Hbx : 0 < b/x < 1). { split. apply Rdiv_lt_0_compat; lra. apply Rmult_lt_reg_r with x. lra. unfold Rdiv. rewrite Rmult_assoc, Rinv_l; lra. }
   assert (Hsb : sin tb = b/x) by (apply sin_asin; lra).
   assert (Htb : 0 < tb < PI/2).
   { pose proof (asin_bound_lt (b/x) ltac:(lra)) as Hbd. fold tb in Hbd. split; [|lra]. apply Rnot_le_lt. intro L.
     pose proof (sin_incr_1 tb 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) L) as K. rewrite Hsb, sin_0 in K. lra. }
-  apply is_RInt_unique. replace (Fp (PI/2) - Fp tb) with (plus 0 (minus (Fp (PI/2)) (Fp tb))) by (unfold minus, plus, opp; simpl; ring).
+  replace (Fp (PI/2) - Fp tb) with (plus 0 (minus (Fp (PI/2)) (Fp tb))) by (unfold minus, plus, opp; simpl; ring).
   apply (is_RInt_Chasles (V := R_NormedModule) _ 0 tb (PI/2)).
   - apply (is_RInt_ext (fun _ => 0)).
     { intros t Ht. rewrite Rmin_left, Rmax_right in Ht by lra. unfold flat_to. destruct Rle_dec; auto.
@@ -178,6 +178,11 @@ Proof.
       apply Rmult_lt_compat_l with (r := x) in H0; [|lra]. replace (x*(b/x)) with b in H0 by (field; lra). lra. }
     apply (is_RInt_derive Fp); auto.
 Qed.
+
+Lemma flat_transform b f1 x (Fp : R -> R) : 0 < b < x ->
+  (forall t, is_derive Fp t (f1 (x * sin t))) -> (forall t, continuous (fun t => f1 (x * sin t)) t) ->
+  transform (flat_to b f1) x = x * (Fp (PI/2) - Fp (asin (b/x))).
+Proof. intros Hb HF Hc. unfold transform. f_equal. apply is_RInt_unique. apply flat_inner; auto. Qed.
 
 (** The cone with a flat, slope s beyond b: g(x) = s x arccos (b/x). *)
 Theorem cone_with_flat s b x : 0 < b < x -> transform (flat_to b (fun _ => s)) x = s * x * acos (b/x).
