@@ -208,6 +208,9 @@ fn messages_repeat_little_and_nothing_that_steers_a_terminal() {
         }
         write("batch.csv", &format!("n,{text}\n1,2\n"));
         refusal(&folder, "mdr critical --batch batch.csv");
+        write("batch.csv", &format!("n,c,e_star,work\n2,{text},1,1\n2,1,{text},1\n"));
+        let answers = sh(&folder, "mdr critical --batch batch.csv").stdout;
+        assert!(answers.len() < 2000 && !answers.contains(&0x1b), "{}", String::from_utf8_lossy(&answers));
         write("batch.jsonl", &format!("{{\"{text}\":1}}\n\"{text}\"\n{{\"n\":\"{text}\"}}\n"));
         let answers = sh(&folder, "mdr critical --batch batch.jsonl").stdout;
         assert!(answers.len() < 2000 && !answers.contains(&0x1b), "{}", String::from_utf8_lossy(&answers));

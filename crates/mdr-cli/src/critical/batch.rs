@@ -135,9 +135,11 @@ fn csv(
                 }
             }
             Err(why) => {
-                let cell = |title| if title == "status" { "domain-error" } else { text(title).unwrap_or_default() };
-                let row = CriticalRow::COLUMNS.map(cell).into_iter().chain([why.as_str()]);
-                writer.write_record(row).map_err(unwritten)?;
+                let cell = |title| match title {
+                    "status" => "domain-error".to_owned(),
+                    title => excerpt(text(title).unwrap_or_default()).to_string(),
+                };
+                writer.write_record(CriticalRow::COLUMNS.map(cell).into_iter().chain([why])).map_err(unwritten)?;
             }
         }
     }
