@@ -39,6 +39,10 @@ fn g_is_proved_to_rise() {
         "2*r^2 - min(r^2, 0.3*r)",
         "sqrt((r - 0.5)^2) + r^2 + r - 0.5",
         "r^2*exp(-r) + r^2",
+        // Without bounds that are numbers at the largest radii, and with terms that cancel next to the axis.
+        "cosh(r) - 1",
+        "exp(r^2) - 1 - r^2",
+        "sinh(r) - r + r^3",
         // A dip whose curvature 2A/s² is above −2.
         "r^2/2 - 1e-9*(exp(-((r-0.5037)/5e-4)^2) - exp(-(0.5037/5e-4)^2))",
     ] {
@@ -54,6 +58,9 @@ fn g_is_not_proved_to_rise_where_it_falls() {
     for formula in [
         "r^2/2 + 0.01*(1 - cos(30*r))",
         "r^2/2 - 0.1*max(0, r - 0.1)",
+        // Next to the axis alone: −r⁴/2, and −r².
+        "exp(r^2) - 1 - r^2 - r^4",
+        "cosh(r) - 1 - r^2",
         "r^2/2 - 0.1*abs(r - 0.5) + 0.05",
         "r^2/2 + min(0, 0.5 - r)",
         "r^2/2 + 1e-9*(1 - cos(1e6*r))",

@@ -123,8 +123,11 @@ fn beyond_the_range_of_exponents() {
     let tiny = (-int(10).powi(400)).exp();
     assert!(*tiny.lower() == 0 && *tiny.upper() > 0);
     assert!(!huge.is_finite() && (int(1) / &huge).is_finite());
-    // 0 · ∞ gives the entire line.
-    assert!((int(0) * huge).is_entire());
+    // Each number of an unbounded set times zero is zero; of the entire line nothing is known.
+    for product in [int(0) * &huge, huge.clone() * int(0), int(0) * -huge] {
+        assert!(product.is_point() && product.contains_zero());
+    }
+    assert!((int(0) * entire()).is_entire() && (entire() * int(0)).is_entire());
 }
 
 /// Exact results stay points.

@@ -22,6 +22,12 @@ const CLOSED: [(&str, &str, &str); 4] = [
     ("r^2/2 - 0.2*(exp(-(10000*(r - 0.5037))^2) - exp(-(10000*0.5037)^2))", "0.6", "0.3603091808568596376507771918510198214228561314954978924189509809762026219303634361149507919317023848939164095466652998466461403204246025502019796327509638084371533606191178629216774259645728541429361857895724879514159352198723242098"),
 ];
 
+/// √π Γ(n/2 + 1)/Γ((n + 1)/2) xⁿ at n = 7/3 and x = 1.7, by mpmath.
+const POWER: &str = "7.32971773795353583841786058369635937968075274339179182903907533409996312093";
+
+/// g of √(r + r²) at x = 1.1, by mpmath.
+const ROOT: &str = "2.191947134134347283397770087515737114346778460125556105190109159768139";
+
 fn enclosed(formula: &str, bits: u32) -> Enclosed {
     let (formula, none) = (formula.parse::<Expression>().unwrap(), Default::default());
     let precision = Precision::new(bits);
@@ -50,6 +56,27 @@ fn closed_forms_are_contained() {
             assert!(g.accuracy_bits() > i64::from(bits) - 24, "{formula} at {bits} bits: {g}");
         }
     }
+}
+
+/// Fractional powers of r, integrated over the root of r in which they are analytic at the axis: r^(7/3) against its closed form,
+/// √(r + r²) against a quadrature of mpmath, also at so few bits that a missing remainder would show.
+#[test]
+fn fractional_powers_are_contained() {
+    let truth = number(ROOT, 400).inflate(&number("1e-60", 400));
+    for bits in [16, 24, 64, 114] {
+        let g = enclosed("sqrt(r + r^2)", bits).g(&number("1.1", bits)).unwrap();
+        assert!(g.overlaps(&truth) && g.accuracy_bits() > i64::from(bits) - 20, "{bits} bits: {g} without {truth}");
+        let g = enclosed("r^(7/3)", bits).g(&number("1.7", bits)).unwrap();
+        let expected = number(POWER, 400).inflate(&number("1e-60", 400));
+        assert!(g.overlaps(&expected) && g.accuracy_bits() > i64::from(bits) - 20, "{bits} bits: {g} without {POWER}");
+    }
+    let pieces = |formula: &str| {
+        let transform = enclosed(formula, 214);
+        transform.g(&number("1.7", 214)).unwrap();
+        transform.work()
+    };
+    // One substitution in place of many pieces towards the axis.
+    assert!(pieces("sqrt(r + r^2)") < 1000, "{}", pieces("sqrt(r + r^2)"));
 }
 
 /// What two precisions of a quadrature agree on.
@@ -105,6 +132,8 @@ fn quadratures_are_contained() {
         "min(r^2, 0.3*r) + 0.1*abs(sin(3*r))",
         "sqrt((r - 0.5)^2) + r^2 + r - 0.5",
         "r^2/2 + (2 + sin(r))^(r)*r - r",
+        "sqrt(r + r^2)*cos(r)",
+        "(r^2 + 3*r^3)^(3/4) + r^0.7*exp(-r)",
     ] {
         for x in ["0.11", "0.77", "2.1"] {
             holds(formula, x);

@@ -189,3 +189,29 @@ fn ratios_out_of_range_are_refused() {
         assert!(error.contains("material.work_of_adhesion") && error.contains("ratio to E*"), "{error}");
     }
 }
+
+/// A formula that is a sum of powers has the closed forms of the shapes: all digits, each certified, as those of a sum of shapes.
+#[test]
+fn sums_of_powers_are_closed_forms() {
+    let rest = "control = { kind = \"indentation\", path = [0, \"0.3\"] }
+        output = { want = [\"folds\", \"path\", \"equilibria\", \"energy\"], equilibria.at = [\"0.01\"] }";
+    let power = |n: &str, c: &str| format!("{{ kind = \"power\", n = \"{n}\", c = \"{c}\" }}");
+    let sum = |terms: &[String]| format!("{{ kind = \"sum\", term = [{}] }}", terms.join(", "));
+    for (text, shapes) in [
+        ("r^(7/3)", power("7/3", "1")),
+        ("r^2+0.1*r^0.7", sum(&[power("0.7", "0.1"), power("2", "1")])),
+        ("sqrt(r)*(r/4 + r^2)", sum(&[power("3/2", "1/4"), power("5/2", "1")])),
+    ] {
+        let (written, shaped) = (
+            formula(text, rest),
+            formula(text, rest).replace(&format!("{{ kind = \"expression\", formula = \"{text}\" }}"), &shapes),
+        );
+        let [mut answer, other] = [&written, &shaped].map(|text| solved(text));
+        assert_eq!(answer["profile"], "expression");
+        for (output, promise) in answer["promise"].as_object().unwrap() {
+            assert_eq!(promise, "certified", "{text}: {output}");
+        }
+        answer["profile"] = other["profile"].clone();
+        assert_eq!(answer, other, "{text}");
+    }
+}

@@ -43,7 +43,12 @@ pub struct Continuation {
     breaks: Vec<Interval>,
     /// sinθ over each cell, and sin²θ.
     cells: Vec<[Interval; 2]>,
+    /// k, if f is analytic at the axis as a function of r^(1/k) alone; else 1.
+    root: u32,
 }
+
+/// The largest k of r^(1/k).
+const LARGEST_ROOT: u32 = 128;
 
 impl Continuation {
     /// The sum of formulas; `None` if two of their kinks are so close to each other that their order is not known.
@@ -54,7 +59,9 @@ impl Continuation {
         if breaks.windows(2).any(|pair| pair[0].upper() >= pair[1].lower()) {
             return None;
         }
-        Some(Continuation { terms, breaks, cells: cells() })
+        let roots = terms.iter().filter_map(|term| term.part(0)?.root());
+        let root = roots.fold(1, least_common_multiple);
+        Some(Continuation { terms, breaks, cells: cells(), root: if root > LARGEST_ROOT { 1 } else { root } })
     }
 
     /// Enclosures of the radii where f is not smooth, ascending.
@@ -114,6 +121,28 @@ impl Continuation {
             means.push(parts.try_fold(one, |hull, other| Some(hull.hull(&other?)))?);
         }
         mean(means.into_iter().map(Some))
+    }
+
+    /// k, if f has fractional powers of r at the axis and is analytic there as a function of r^(1/k).
+    pub(super) fn root(&self) -> Option<u32> {
+        (self.root > 1).then_some(self.root)
+    }
+
+    /// g before the first kink, over a set of q = x^(1/k) that may hold the axis, with the [k](Self::root) of the profile.
+    pub(super) fn g_at_root<T: Analytic>(&self, q: &T) -> Option<T> {
+        mean(self.cells.iter().map(|[sine, _]| {
+            let order = sine.lit(1).over(i64::from(self.root));
+            let q = Euler::root(&q.scaled(&sine.pow(&order)), self.root, 1);
+            let of = |term: &EnclosedFormula| {
+                let part = term.part(0)?;
+                match part.root() {
+                    Some(k) => part.at_root(&q.raised(i64::from(self.root / k))?),
+                    None => part.at(&q.raised(i64::from(self.root))?),
+                }
+            };
+            let f = sum(self.terms.iter().map(of))?;
+            Some(f.value().plus(&f.derivative(1)))
+        }))
     }
 
     /// g over a complex set of radii beyond so many kinks. `legs` has σ of each of them.
@@ -199,6 +228,18 @@ impl Continuation {
         let radii = x.lit(0).hull(x);
         sum(self.terms.iter().map(|term| term.part(0)?.stretch(&radii)))
     }
+}
+
+/// Of a number that is not too large already.
+fn least_common_multiple(one: u32, other: u32) -> u32 {
+    if one > LARGEST_ROOT {
+        return one;
+    }
+    let (mut divisor, mut rest) = (one, other);
+    while rest != 0 {
+        (divisor, rest) = (rest, divisor % rest);
+    }
+    one / divisor * other
 }
 
 /// The sum of what is defined.

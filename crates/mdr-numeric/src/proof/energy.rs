@@ -1,7 +1,8 @@
 //! The energy of states over enclosures.
 //!
 //! Π(a, d) = E*(a d² − 2d ∫₀ᵃ g dx + ∫₀ᵃ g² dx) − πa²w. The integral of g² is [rigorous](mdr_core::calculus::enclose): its nodes
-//! take g from the transform, its remainders from the [continuation](super::Continuation) of the profile.
+//! take g from the transform, its remainders from the [continuation](super::Continuation) of the profile. From the axis on the
+//! variable is a root of the radius, where the profile has fractional powers of it.
 
 use mdr_core::calculus::enclose::{BOUND_BITS, Goal, Sampled, enclose};
 use mdr_core::contact::{Control, Error, Quantity, Result, Transform};
@@ -145,6 +146,10 @@ impl<'a> EnclosedEnergy<'a> {
     fn square_between(&self, from: &Interval, to: &Interval, beyond: usize) -> Result<Interval> {
         let base = beyond.checked_sub(1).map(|last| self.profile.breaks()[last].rounded(to.ctx()));
         let along = |x: &Interval| base.as_ref().map_or_else(|| x.clone(), |b| leg(x, b));
+        if let (None, Some(k), true) = (&base, self.profile.root(), from.upper().is_zero()) {
+            let square = RootedSquare { transform: self.contact.transform(), profile: self.profile, to, k };
+            return over_unit_interval(&square, to.precision()).map_err(|error| located(error, to));
+        }
         let start = along(from);
         let length = along(to) - &start;
         let stretch = Stretch { profile: self.profile, beyond, base, from: start, length };
@@ -219,6 +224,41 @@ impl Sampled for Square<'_> {
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
         let place = self.stretch.over(t)?;
         self.of(&self.stretch.profile.range(&place[1])?, &place)
+    }
+}
+
+/// g² dx/dt up to a radius x₁ from the axis, where g is analytic as a function of q = x^(1/k) alone: x = x₁tᵏ.
+struct RootedSquare<'a> {
+    transform: &'a dyn Transform<Interval>,
+    profile: &'a Continuation,
+    to: &'a Interval,
+    k: u32,
+}
+
+impl RootedSquare<'_> {
+    fn of<T: Analytic>(&self, g: &T, t: &T) -> Option<Vec<T>> {
+        let slope = t.raised(i64::from(self.k) - 1)?.product(&t.integer(i64::from(self.k)));
+        Some(vec![g.squared().product(&slope).scaled(self.to)])
+    }
+
+    /// From the formula.
+    fn by_formula<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
+        let order = self.to.lit(1).over(i64::from(self.k));
+        self.of(&self.profile.g_at_root(&t.scaled(&self.to.pow(&order)))?, t)
+    }
+}
+
+impl Sampled for RootedSquare<'_> {
+    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
+        Ok(self.of(&self.transform.g(&(t.powi(i64::from(self.k)) * self.to))?, t))
+    }
+
+    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
+        self.by_formula(t)
+    }
+
+    fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
+        self.by_formula(t)
     }
 }
 

@@ -59,3 +59,30 @@ fn a_dropped_remainder_is_caught_at_few_bits() {
         assert!(!dropped.overlaps(&truth), "{bits} bits: {dropped} holds {truth}");
     }
 }
+
+/// ∫₀ᵃ g² of r^(1/4) + r^(5/4) at a = 0.9, whole and without remainders.
+#[test]
+fn a_dropped_remainder_is_caught_beside_a_fractional_power() {
+    let formula: Expression = "r^(1/4)*(1 + r)".parse().expect("a formula");
+    let (none, one) = (Default::default(), |bits| Interval::from_int(Precision::new(bits), 1));
+    let breaks = formula.breaks(&none).expect("no kinks");
+    let integrals = |bits: u32| {
+        let bound = || formula.enclosed(&none, &breaks, Precision::new(bits)).expect("no names");
+        let (transform, radius) = (Enclosed::new(bound(), Precision::new(bits)), one(bits).ratio(9, 10));
+        let profile = Continuation::new(vec![bound()]).expect("no kinks");
+        let square = || RootedSquare { transform: &transform, profile: &profile, to: &radius, k: 4 };
+        assert_eq!(profile.root(), Some(4));
+        [over_unit_interval(&square(), bits), over_unit_interval(&Dropped(square()), bits)]
+            .map(|all| all.expect("an integral"))
+    };
+    // g = κ(1/4) x^(1/4) + κ(5/4) x^(5/4), by mpmath.
+    let truth = Interval::from_literal(Precision::new(200), &TRUTH.parse().expect("a number"));
+    for bits in [12, 16, 20, 24, 100] {
+        let [whole, dropped] = integrals(bits);
+        assert!(whole.overlaps(&truth), "{bits} bits: {whole} without {truth}");
+        assert!(bits < 16 || !dropped.overlaps(&truth), "{bits} bits: {dropped} holds {truth}");
+    }
+}
+
+/// Of the test above, to 50 digits.
+const TRUTH: &str = "2.5403834089832357898129675070575829092564396630349";

@@ -193,6 +193,12 @@ impl Scene {
         scene
     }
 
+    /// The scene with another profile.
+    #[cfg(feature = "mp")]
+    pub(crate) fn with_profile(&self, profile: Profile) -> Self {
+        Scene { profile, ..self.clone() }
+    }
+
     /// Sets the control; the stiffness of a machine in N/m.
     pub fn control(self, control: Control<Literal>) -> Self {
         Scene { control, has_control: true, ..self }

@@ -18,6 +18,8 @@ mod admissible;
 #[cfg(feature = "mp")]
 pub(crate) mod certified;
 #[cfg(feature = "mp")]
+mod closed;
+#[cfg(feature = "mp")]
 pub(crate) mod digits;
 mod graded;
 #[cfg(feature = "mp")]
@@ -75,6 +77,9 @@ pub(crate) use unused::unused;
 
 /// The answer to a scene that has been checked.
 pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
+    let profile = scene.profile.name();
+    #[cfg(feature = "mp")]
+    let scene = &*closed::in_closed_form(scene);
     let counts = run.stop.counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     solver.check_range()?;
@@ -117,7 +122,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     }
     Ok(Answer {
         arithmetic: scene.arithmetic,
-        profile: scene.profile.name(),
+        profile,
         medium: (!scene.medium.is_half_space()).then(|| scene.medium.name()),
         force_unit: scene.medium.force_unit(),
         control: scene.names_control().then(|| scene.control.kind()),

@@ -51,6 +51,8 @@ pub struct EnclosedFormula {
 pub struct FormulaPart {
     /// In the precision of bounds, and in that of values.
     trees: [Node<Interval>; 2],
+    /// Likewise in q = r^(1/k), with k.
+    rooted: Option<(u32, [Node<Interval>; 2])>,
 }
 
 impl Expression {
@@ -77,10 +79,14 @@ impl EnclosedFormula {
         let places = breaks.places(bits + BEYOND);
         let outer = breaks.outer_radius(bits + BEYOND).map(|radius| around(&radius, bits));
         let samples = samples(&places, outer.as_ref(), fine);
-        let trees = [BOUND_BITS, bits].map(|bits| root.bound::<Interval>(Precision::new(bits)));
+        let bound = |root: &Node<Constant>| [BOUND_BITS, bits].map(|bits| root.bound::<Interval>(Precision::new(bits)));
+        let trees = bound(root);
+        // Only next to the axis, and with a tree that needs no signs of its parts.
+        let rooted = if root.is_smooth() && places.is_empty() { root.in_root() } else { None };
+        let rooted = rooted.map(|(k, root)| (k, bound(&root).map(|tree| tree.folded())));
         let part = |radius: &Option<Interval>| {
             let [low, high] = trees.each_ref().map(|own| own.resolved(&tree, radius.as_ref()?));
-            Some(FormulaPart { trees: [low?.folded(), high?.folded()] })
+            Some(FormulaPart { trees: [low?.folded(), high?.folded()], rooted: rooted.clone() })
         };
         let parts = samples.iter().map(part).collect();
         let (mut located, mut jumps) = (Vec::new(), Vec::new());
@@ -149,6 +155,31 @@ impl FormulaPart {
     pub fn at<T: Analytic>(&self, r: &T) -> Option<T> {
         let tree = if r.bits() <= BOUND_BITS { &self.trees[0] } else { &self.trees[1] };
         tree.analytic(r)
+    }
+
+    /// k, if the formula is analytic at the axis as a function of r^(1/k) and not of r: see [`FormulaPart::at_root`].
+    pub fn root(&self) -> Option<u32> {
+        self.rooted.as_ref().map(|(k, _)| *k)
+    }
+
+    /// f over a set of roots q = r^(1/k) of radii, with the k of [`FormulaPart::root`]; `None` without one, too.
+    ///
+    /// ```
+    /// use mdr_core::contact::Expression;
+    /// use mdr_core::number::{Interval, Precision, Real};
+    /// let formula: Expression = "sqrt(r + r^2)".parse()?;
+    /// let none = Default::default();
+    /// let precision = Precision::new(64);
+    /// let enclosed = formula.enclosed(&none, &formula.breaks(&none)?, precision)?;
+    /// let part = enclosed.part(0).expect("no signs to decide");
+    /// // √(q² + q⁴) at q = 2: r = 4.
+    /// let value = part.at_root(&Interval::from_int(precision, 2)).expect("defined");
+    /// assert!(part.root() == Some(2) && value.overlaps(&part.at(&Interval::from_int(precision, 4)).unwrap()));
+    /// # Ok::<(), mdr_core::contact::ExpressionError>(())
+    /// ```
+    pub fn at_root<T: Analytic>(&self, q: &T) -> Option<T> {
+        let (_, trees) = self.rooted.as_ref()?;
+        trees[usize::from(q.bits() > BOUND_BITS)].analytic(q)
     }
 
     /// (r f')' = f' + r f'' over a cell of radii, which may begin at 0; `None` where it is not bounded.

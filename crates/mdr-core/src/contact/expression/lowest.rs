@@ -3,8 +3,8 @@
 //!
 //! With r = x sin θ the transform is g(x) = x ∫ f'(r) dθ over (0, π/2), and g'(x) = ∫ (r f')' dθ. So g falls nowhere where
 //! r f' does not: f' + r f'' ≥ 0 on cells that cover all radii, and f' jumps upwards at every kink. Separated surfaces
-//! first touch at min f, which is isolated by bisection with f, f' and f'' on each cell. Nothing is proved of a formula that
-//! overflows the exponents of MPFR at some radius, such as cosh r.
+//! first touch at min f, which is isolated by bisection with f, f' and f'' on each cell. Where terms of f
+//! cancel next to the axis, as those of exp(r²) − 1 − r² do, derivatives of higher orders decide there.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,7 @@ use rug::Float;
 use super::breaks::SEARCHED;
 use super::jet::Jet;
 use super::{Breaks, Constant, Expression, ExpressionError, Node};
-use crate::number::{Interval, Literal, Precision, Real};
+use crate::number::{Dual, Interval, Literal, Precision, Real};
 
 /// Bits of the enclosures.
 const BITS: u32 = 192;
@@ -69,7 +69,8 @@ impl Expression {
         let end = outer.clone().unwrap_or_else(|| Float::with_val(BITS, SEARCHED.1));
         let budget = BUDGET.min((OPERATIONS / root.operations().max(1)) as usize);
         let cells = Cells { root: root.bound(Precision::new(BITS)), end, bounded: outer.is_some(), budget };
-        let rises = cells.rise();
+        let rises = cells.rise_from(Float::with_val(BITS, SEARCHED.0))
+            || cells.rising_tip(&root).is_some_and(|tip| cells.rise_from(tip));
         // r f' does not fall and begins at zero, so f rises from the tip.
         let lowest = if rises { Lowest::Tip } else { cells.lowest(&root) };
         Ok(FormulaShape { rises, lowest })
@@ -164,9 +165,37 @@ impl Cells {
         Some([(middle.clone(), upper.clone()), (lower.clone(), middle)])
     }
 
-    /// Whether r f' is proved not to fall.
-    fn rise(&self) -> bool {
-        let mut cells = self.all();
+    /// A radius up to which r f' is proved not to fall, where terms of the formula cancel next to the axis: with
+    /// E = (r f')' = f' + r f'' it is enough that E and E' are not negative at 0, and E'' = 3f''' + r f'''' nowhere up to there.
+    fn rising_tip(&self, root: &Node<Constant>) -> Option<Float> {
+        /// Halvings of the radius, from 1 m on.
+        const HALVINGS: usize = 100;
+        if !root.is_smooth() {
+            return None;
+        }
+        let root: Node<Dual<Dual<Interval>>> = root.bound(Precision::new(BITS));
+        // From the first on.
+        let derivatives = |r: Interval| {
+            let f = root.value(&Dual::variable(Dual::variable(Dual::variable(Dual::variable(r)))));
+            [f.value.value.value.slope, f.value.value.slope.slope, f.value.slope.slope.slope, f.slope.slope.slope.slope]
+        };
+        let zero = Interval::from_int(Precision::new(BITS), 0);
+        let is_not_negative = |value: &Interval| *value.lower() >= 0;
+        let [first, second, ..] = derivatives(zero.clone());
+        if !(is_not_negative(&first) && is_not_negative(&second)) {
+            return None;
+        }
+        let ends = (0..HALVINGS).step_by(2).map(|k| Float::with_val(BITS, 1) >> k as u32);
+        ends.filter(|end| *end < self.end).find(|end| {
+            let r = zero.hull(&Interval::point(end.clone()));
+            let [.., third, fourth] = derivatives(r.clone());
+            is_not_negative(&(third.times(3) + fourth * r))
+        })
+    }
+
+    /// Whether r f' is proved not to fall beyond a radius.
+    fn rise_from(&self, tip: Float) -> bool {
+        let mut cells = vec![(tip, self.end.clone())];
         for _ in 0..self.budget {
             let Some(cell) = cells.pop() else { return true };
             let r = Interval::new(cell.0.clone(), cell.1.clone());

@@ -9,6 +9,10 @@ mod jet;
 #[cfg(feature = "mp")]
 mod lowest;
 mod parse;
+#[cfg(feature = "mp")]
+mod powers;
+#[cfg(feature = "mp")]
+mod rooted;
 mod shapes;
 
 #[cfg(feature = "mp")]

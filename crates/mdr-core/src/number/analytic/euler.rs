@@ -29,11 +29,24 @@ pub struct Euler<T> {
 impl<T: Analytic> Euler<T> {
     /// r itself, with derivatives up to an order.
     pub fn variable(r: &T, order: usize) -> Self {
-        let mut logarithmic = vec![r.integer(0); order];
+        Self::root(r, 1, order)
+    }
+
+    /// The root q = r^(1/k) of the radius, with derivatives up to an order: Dq = q/k.
+    ///
+    /// ```
+    /// use mdr_core::number::{Analytic, Euler, Interval, Precision, Real};
+    /// let q = Euler::root(&Interval::from_f64(Precision::new(64), 0.5), 4, 1);
+    /// // D q⁴ = D r = r.
+    /// assert!(q.raised(4).is_some_and(|r| r.derivative(1).contains(&rug::Float::with_val(64, 0.0625))));
+    /// ```
+    pub fn root(q: &T, k: u32, order: usize) -> Self {
+        let mut logarithmic = vec![q.integer(0); order];
         if let Some(first) = logarithmic.first_mut() {
-            *first = r.integer(1);
+            let one = Interval::from_int(Precision::new(q.bits()), 1);
+            *first = if k == 1 { q.integer(1) } else { q.constant(&Real::over(one, i64::from(k))) };
         }
-        Self::growing(r.clone(), logarithmic)
+        Self::growing(q.clone(), logarithmic)
     }
 
     /// The value.

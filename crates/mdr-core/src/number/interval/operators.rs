@@ -97,7 +97,13 @@ impl Interval {
         self.settle();
     }
 
-    /// Replaces a NaN end: 0 · ∞ occurs only where one operand is unbounded and nothing useful is known.
+    /// Whether it is exactly zero beside a factor that has one infinite end, such as an overflow: each of its numbers times zero is
+    /// zero. The entire line has none that are known.
+    fn annuls(&self, other: &Interval) -> bool {
+        self.lo.is_zero() && self.hi.is_zero() && other.lo.is_infinite() != other.hi.is_infinite()
+    }
+
+    /// Replaces a NaN end: 0 · ∞ occurs only where nothing is known of one operand.
     fn settle(&mut self) {
         if self.lo.is_nan() || self.hi.is_nan() {
             *self = self.nothing_known();
@@ -174,6 +180,14 @@ impl SubAssign<&Self> for Interval {
 
 impl MulAssign<&Self> for Interval {
     fn mul_assign(&mut self, other: &Self) {
+        if self.annuls(other) {
+            return;
+        }
+        if other.annuls(self) {
+            self.lo.assign(0);
+            self.hi.assign(0);
+            return;
+        }
         match extremes(self.sign(), other.sign()) {
             Some(corners) => self.combine(other, corners, |x, y, round| x.mul_assign_round(y, round)),
             None => self.multiply_across(other),

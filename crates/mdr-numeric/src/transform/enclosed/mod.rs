@@ -308,7 +308,12 @@ impl Enclosed {
         for end in 1..=RANGES {
             let to = Special::sin(&quarter.clone().times(end).over(RANGES)).lesser(&x.lit(1));
             let radii = (from.clone() * &x).hull(&(to.clone() * &x));
-            slope += &(self.stretch(&radii)? * self.weight.mass(end - 1, RANGES, &x));
+            let share = match self.stretch(&radii) {
+                Some(stretch) => stretch * self.weight.mass(end - 1, RANGES, &x),
+                None if end == 1 => self.share_at_tip(&x, &to)?,
+                None => return None,
+            };
+            slope += &share;
             from = to;
         }
         for (index, b) in self.formula.breaks().iter().enumerate().filter(|(_, b)| b.lower() < x.upper()) {
@@ -318,6 +323,19 @@ impl Enclosed {
             }
         }
         slope.is_finite().then_some(slope)
+    }
+
+    /// The part of g' of the radii up to x sinθ, without kinks there, by the range of what is integrated for x g': that is bounded at the
+    /// tip of r^0.7, too, where (r f')' is not.
+    fn share_at_tip(&self, x: &Interval, sine: &Interval) -> Option<Interval> {
+        let first = self.formula.breaks().first();
+        if first.is_some_and(|b| *b.lower() <= *(sine.clone() * x).upper()) {
+            return None;
+        }
+        let ray = self.ray(0, x, Order::Slope)?;
+        let to = ray.position(sine);
+        let range = ray.at(&to.lit(0).hull(&to))?.swap_remove(0);
+        Some(range * to / x)
     }
 
     /// (r f')' over a cell of radii, of all parts that it meets.

@@ -7,6 +7,10 @@
 //! | Winkler | sinθ | t | sinθ, as cosθ dθ = dt |
 //! | line contact | 2θ/π | sin(πt/2) | π/2 |
 //!
+//! Where fractional powers of r make f analytic at the axis as a function of q = r^(1/k) alone, the variable is another: with
+//! u = tᵏ it is u = tan(θ/2), so that sinθ = 2u/(1 + u²), dθ = 2du/(1 + u²) and q = x^(1/k) t (2/(1 + u²))^(1/k); on a Winkler
+//! foundation u = sinθ. On a graded half-space the pieces are cut towards the axis instead.
+//!
 //! On a graded half-space t ends at a finite T, where what is beyond is a mean of its integrand times
 //! ∫ sinθ cosᵏθ dθ = cos^(1+k)θ/(1 + k).
 
@@ -131,8 +135,50 @@ impl Ray<'_> {
     }
 }
 
+impl Ray<'_> {
+    /// t where sinθ has this value.
+    pub(super) fn position(&self, sine: &Interval) -> Interval {
+        match (self.part.root(), self.weight) {
+            (None, _) | (_, Weight::Graded(_)) => self.weight.position(sine),
+            (Some(k), weight) => {
+                let root = sine.lit(1).over(i64::from(k));
+                // tan(θ/2) = sinθ/(1 + cosθ)
+                let cosine = Real::sqrt(&((sine.lit(1) - sine) * (sine.lit(1) + sine)));
+                let u = if let Weight::Winkler = weight { sine.clone() } else { sine.clone() / (cosine + sine.lit(1)) };
+                u.pow(&root)
+            }
+        }
+    }
+
+    /// The integrand over t with q = r^(1/k) proportional to t at the axis.
+    fn at_root<T: Analytic>(&self, t: &T, k: u32) -> Option<Vec<T>> {
+        self.heights.fetch_add(1, Ordering::Relaxed);
+        let precision = Precision::new(t.bits());
+        let number = |value: u32| Interval::from_int(precision, i64::from(value));
+        let root = number(1) / number(k);
+        let u = t.raised(i64::from(k))?;
+        let slope = t.raised(i64::from(k) - 1)?.scaled(&number(k));
+        let [sine, turn, q] = match self.weight {
+            Weight::Winkler => [u, t.integer(1), t.clone()],
+            _ => {
+                let half = t.integer(2).quotient(&t.integer(1).plus(&u.squared()))?;
+                [u.product(&half), half.clone(), t.product(&half.power(&root)?)]
+            }
+        };
+        let q = q.scaled(&self.x.rounded(precision).pow(&root));
+        let weight = turn.product(&slope);
+        let weight = if let Weight::Line(_) = self.weight { weight } else { weight.product(&sine) };
+        let f = self.part.at_root(&Euler::root(&q, k, self.order.derivatives()))?;
+        let values = self.weighted(&f, &sine)?;
+        Some(values.into_iter().map(|value| value.product(&weight)).collect())
+    }
+}
+
 impl Integrand for Ray<'_> {
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
+        if let (Some(k), Weight::HalfSpace | Weight::Winkler | Weight::Line(_)) = (self.part.root(), self.weight) {
+            return self.at_root(t, k);
+        }
         let [sine, weight] = self.places(t)?;
         let values = self.weighted(&self.heights(&sine)?, &sine)?;
         Some(values.into_iter().map(|value| value.product(&weight)).collect())
