@@ -109,10 +109,13 @@ impl Objective<'_> {
         let mut jacobian = self.jacobian(fitted, evaluation)?;
         let known = jacobian.nrows();
         for (index, held) in self.at_fold.iter().enumerate() {
-            let width = self.width_of_fold(evaluation, held)?;
-            jacobian
-                .row_mut(known - self.at_fold.len() + index)
-                .scale_mut(self.noise.unit * self.noise.beyond / HELD / width);
+            // Without a row beyond it the fold may be anywhere beyond, and its place tells nothing.
+            let scale = if self.is_bracketed(evaluation, held) {
+                self.noise.unit * self.noise.beyond / HELD / self.width_of_fold(evaluation, held)?
+            } else {
+                0.0
+            };
+            jacobian.row_mut(known - self.at_fold.len() + index).scale_mut(scale);
         }
         let mut information = jacobian.resize_vertically(known + rows.len(), 0.0);
         for (index, row) in rows.iter().enumerate() {

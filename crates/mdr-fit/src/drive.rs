@@ -292,6 +292,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     limits::of_pinned(&mut fit, objective, minimum, &resolved.open)?;
     super::warnings::of_minima(&mut fit);
     super::warnings::of_scatter(&mut fit, scatter.seen, by_residuals * objective.noise.y_scale);
+    super::steepness::add(&mut fit, objective, minimum)?;
     let steps = if determined { errors.steps(evaluation) } else { Vec::new() };
     let lowest = steps.iter().min_by(|one, other| one.rise.total_cmp(&other.rise));
     let lower = lowest.filter(|step| step.rise < LOWER).map(|step| step.fitted.clone());

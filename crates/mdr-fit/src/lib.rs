@@ -72,6 +72,7 @@ mod select;
 mod sheet;
 mod smoothing;
 mod start;
+mod steepness;
 mod suspects;
 mod text;
 mod trends;

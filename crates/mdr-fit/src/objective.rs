@@ -312,6 +312,13 @@ impl<'p> Objective<'p> {
         self.priors().map(residual).collect()
     }
 
+    /// Whether a row of the same leg has left the arc whose fold is held, so that the fold lies between two rows.
+    pub(super) fn is_bracketed(&self, evaluation: &Evaluation, held: &AtFold) -> bool {
+        let part = self.rows[held.row].at.part;
+        let of_leg = self.rows.iter().zip(&evaluation.labels).filter(|(row, _)| row.at.part == part);
+        of_leg.map(|(_, label)| *label).any(|label| label < held.level)
+    }
+
     /// How far beyond the last row in contact a fold may be: where the curve has risen by the noise. Near a fold at X₀ it rises as
     /// Y' √(2 (X − X₀)/X''), with derivatives along the curve.
     pub(super) fn width_of_fold(&self, evaluation: &Evaluation, held: &AtFold) -> Result<f64> {

@@ -221,6 +221,9 @@ fn rows_of(
         sigma[1] = sigma[1].filter(|sigma| *sigma > 0.0);
     }
     let (which, value) = if has_mask { data.one_of(&["file", "x"])? } else { data.one_of(&["file", "rows", "x"])? };
+    if which != 0 {
+        require_no_names(data, &columns)?;
+    }
     let (rows, missing) = match (which, has_mask) {
         (0, _) => {
             let own = match curve {
@@ -244,6 +247,23 @@ fn rows_of(
         }
     };
     Ok((Record { rows, text: None, missing, has_times: false }, sigma))
+}
+
+/// Rows that are no file have no columns, so that a name tells nothing: it would be passed over in silence.
+fn require_no_names(data: &Section<'_>, columns: &Columns) -> Result<()> {
+    let Columns { x, y, leg, time, sigma, .. } = columns;
+    let keys = [
+        ("columns", x.as_ref().or(y.as_ref()).or(leg.as_ref()).or(time.as_ref())),
+        ("sigma", sigma[0].as_ref().or(sigma[1].as_ref())),
+    ];
+    for (key, name) in keys {
+        if let (Some(value), Some(name)) = (data.optional(key), name) {
+            let name = excerpt(name);
+            return Err(value
+                .refuse(format!("names a column, {name}, and rows that are not in a file have none: give numbers")));
+        }
+    }
+    Ok(())
 }
 
 /// Rows `[[x, y], …]`, or with their leg `[x, y, "approach"]`.

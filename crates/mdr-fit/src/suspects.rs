@@ -11,8 +11,8 @@ use super::observation::Leg;
 use super::problem::{Kind, Problem};
 use super::start::Source;
 
-/// The fall of the sum of squares, in variances, for which a slope or a drift is named: five standard deviations.
-const FALL: f64 = 25.0;
+/// The fall of the sum of squares, in variances, for which a slope or a drift is named: by chance that of one of three in a thousand records.
+const FALL: f64 = 13.0;
 
 /// The most rows of a record in which a slope or a drift is looked for, which takes as long as some further evaluations.
 const ROWS: usize = 100_000;

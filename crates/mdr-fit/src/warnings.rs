@@ -102,7 +102,13 @@ pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum, h
             if p < 0.5 { "larger than the stated σ explains" } else { "smaller than the stated σ explains" };
         warnings.push(format!("χ² = {chi2:.4} for {} degrees of freedom is {verdict} (p = {p:.1e})", fit.dof));
     }
-    if !objective.at_fold.is_empty() {
+    if objective.at_fold.iter().any(|held| !objective.is_bracketed(&minimum.evaluation, held)) {
+        warnings.push(
+            "the fold of the curve is held at the last row, and no row lies beyond it: the contact may break anywhere beyond, so that w may be \
+             many standard errors larger; record until it breaks, or give the baseline or the contact point"
+                .to_owned(),
+        );
+    } else if !objective.at_fold.is_empty() {
         warnings.push(
             "the fold of the curve is held at the last row in contact, since x is exact there: errors of w and of the contact point are \
              rough; where x has noise, state it: sigma = { x = \"…\" }"

@@ -32,6 +32,21 @@ fn open(bytes: &[u8], data: &str) -> Result<Problem, String> {
     Problem::from_toml(&fit, "fit.toml", &|_: &str| Ok(bytes.to_vec())).map_err(|error| error.to_string())
 }
 
+/// Rows that are not in a file have no columns: a name in the place of a number is refused, and not passed over.
+#[test]
+fn names_of_columns_beside_rows_are_refused() {
+    for (given, key) in
+        [("sigma = { y = \"nan(1e-9)\" }", "data.sigma"), ("columns = { x = \"depth\" }", "data.columns")]
+    {
+        let fit = format!(
+            "profile = {{ kind = \"paraboloid\", radius = \"1e-5\" }}\nfit = {{ free = [\"e_star\", \"work_of_adhesion\"] }}\n\
+             [data]\nrows = [[0, 0], [1e-9, 2e-9], [2e-9, 5e-9]]\nobservation = \"F(d)\"\n{given}\n"
+        );
+        let why = Problem::from_toml(&fit, "fit.toml", &|_: &str| Ok(Vec::new())).unwrap_err().to_string();
+        assert!(why.contains(key) && why.contains("give numbers"), "{why}");
+    }
+}
+
 /// The rows and how they were read.
 fn read(bytes: &[u8], data: &str) -> (Vec<[f64; 2]>, CurveText) {
     let problem = open(bytes, data).unwrap_or_else(|why| panic!("{why}\n{}", String::from_utf8_lossy(bytes)));

@@ -171,6 +171,46 @@ fn no_record_is_fitted_above_the_truth() {
     check(records);
 }
 
+/// An error of x that is not stated shows in residuals that grow with the slope of the curve; exact x are not taken for it.
+#[test]
+fn an_error_of_x_that_is_not_stated_is_named() {
+    let named = |record: &Record, error: f64| {
+        let tip = &tips()[0];
+        let mut curve = record.curve(tip);
+        let mut normal = Normal(0x51_7cc1 + record.seed);
+        let spacing = (curve.x[1] - curve.x[0]).abs();
+        curve.x.iter_mut().for_each(|x| *x += error * spacing * normal.next());
+        let fit = record.problem(tip, &curve, &FOUR).fit().unwrap();
+        fit.warnings.iter().any(|warning| warning.contains("taken for exact"))
+    };
+    let records = |noise: f64| (0..20).map(move |seed| Record { noise, seed, rows: 150, ..USUAL });
+    let missed = records(2e-2).filter(|record| !named(record, 0.5)).count();
+    assert!(missed == 0, "{missed} of 20 are not named");
+    let wrong = records(2e-2).chain(records(1e-1)).filter(|record| named(record, 0.0)).count();
+    assert!(wrong == 0, "{wrong} of 40 exact records are named");
+}
+
+/// Where a record ends at the fold, nothing bounds the place of the fold from beyond: a fold that is held there tells nothing of the errors,
+/// and the warning says that the contact may break later.
+#[test]
+fn a_fold_held_at_the_end_of_a_record_is_no_datum() {
+    let tip = &tips()[0];
+    let mut held = 0;
+    for seed in 0..12 {
+        let record = Record { end: 1.0, rows: 150, noise: 0.1, seed, ..USUAL };
+        let curve = record.curve(tip);
+        let fit = record.problem(tip, &curve, &FOUR).fit().unwrap();
+        if !fit.warnings.iter().any(|warning| warning.contains("no row lies beyond it")) {
+            continue;
+        }
+        held += 1;
+        let [work, stderr] = estimate(&fit, "work_of_adhesion");
+        assert!(((work - record.work) / stderr).abs() < 4.0, "seed {seed}: w = {work} ± {stderr}");
+        assert!(fit.tried[0].detached == 0, "seed {seed}: {:?}", fit.tried[0]);
+    }
+    assert!(held > 0, "no fold is held");
+}
+
 /// If the last row is nearer to the fold than the noise resolves, the sum of squares has a kink and several minima.
 #[test]
 fn the_last_row_may_be_at_the_fold() {
