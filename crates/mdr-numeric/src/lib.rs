@@ -75,6 +75,7 @@ pub mod proof;
 pub mod springs;
 mod survey;
 pub mod table;
+pub mod tabulated;
 pub mod transform;
 
 #[cfg(doctest)]

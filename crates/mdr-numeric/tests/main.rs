@@ -22,5 +22,6 @@ mod scales;
 mod states;
 #[path = "table/main.rs"]
 mod table;
+mod tabulated;
 mod transform;
 mod vertical_edge;

@@ -1,6 +1,6 @@
 //! One contact at arrays of values: the closed form against the search, and histories against single states.
 
-use mdr::columns::{Choice, ContactColumns};
+use mdr::columns::{Choice, ContactColumns, States};
 use mdr::prelude::*;
 
 fn contact(shape: Shape<&str>) -> ContactColumns {
@@ -196,4 +196,107 @@ fn a_line_contact_without_a_reference_has_no_depths() {
     assert!(why.contains("reference"), "{why}");
     let why = on_medium(r#"{"kind": "periodic", "wavelength": 1}"#, BALL, "1").err().expect("no period").to_string();
     assert!(why.contains("not periodic"), "{why}");
+}
+
+/// Values between `low` and `high` in no order, and a quarter of them ever closer to the first fold.
+fn scattered(len: usize, [low, high]: [f64; 2], fold: f64) -> Vec<f64> {
+    let value = |i: usize| {
+        let share = i as f64 * 0.618_033_988_749_894_9 % 1.0;
+        if i % 4 == 0 { fold + fold.abs() * 1e-12f64.powf(share) } else { low + (high - low) * share }
+    };
+    (0..len).map(value).collect()
+}
+
+/// Shapes with a fold, with folds between, with kinks, an equator and a vertical edge.
+fn many() -> Vec<ContactColumns> {
+    vec![
+        contact(Shape::Hyperboloid { flank: Flank::Slope("1"), lateral: "0.3" }),
+        contact(Shape::Sphere { radius: "1" }),
+        contact(Shape::RoundedPunch { radius: "1", flat: "0.2" }),
+        contact(Shape::WavyParaboloid { radius: "1", amplitude: "5e-4", wavelength: "0.1" }),
+        contact(Shape::WavyParaboloid { radius: "1", amplitude: "1e-2", wavelength: "0.1" }),
+        contact(Shape::FlatPunch { radius: "1" }),
+    ]
+}
+
+#[test]
+fn a_long_column_has_the_states_of_short_ones() {
+    let mut seen = std::collections::BTreeSet::new();
+    for (shape, contact) in many().iter().enumerate() {
+        for control in [Control::Indentation, Control::Force, Control::machine(0.1).expect("positive")] {
+            let folds = contact.folds(&control).expect("folds");
+            let at_folds: Vec<f64> =
+                folds.iter().map(|fold| control.controlled(&fold.indentation, &fold.force)).collect();
+            let low = at_folds.iter().copied().fold(-1e-4, f64::min);
+            let first = at_folds.first().copied().unwrap_or(low);
+            let mut values = scattered(1100, [1.2 * low, -5.0 * low], first);
+            values[7] = f64::NAN;
+            for choice in [Choice::Largest, Choice::Smallest] {
+                let long = contact.states(&control, &values, choice).expect("states");
+                for (block, values) in values.chunks(550).enumerate().map(|(i, block)| (550 * i, block)) {
+                    let short = contact.states(&control, values, choice).expect("states");
+                    for (i, value) in values.iter().enumerate() {
+                        let row = |states: &States, i: usize| {
+                            [states.contact_radius[i], states.indentation[i], states.force[i]]
+                        };
+                        let (one, other) = (row(&long, block + i), row(&short, i));
+                        assert_eq!(long.status[block + i], short.status[i], "shape {shape}, {control:?} at {value}");
+                        seen.insert(format!("{:?}", short.status[i]));
+                        // Half of the digits at the fold.
+                        let near = at_folds.iter().map(|fold| (value - fold).abs() / low.abs()).fold(1.0, f64::min);
+                        let close = |one: f64, other: f64, scale: f64| {
+                            one == other
+                                || one.is_nan() && other.is_nan()
+                                || (one - other).abs() < 1e-14 * scale / near.sqrt()
+                        };
+                        assert!(
+                            close(one[0], other[0], other[0]),
+                            "shape {shape}, {control:?} at {value}: {one:?} {other:?}"
+                        );
+                        assert!(close(one[1], other[1], 1.0) && close(one[2], other[2], 1.0), "{one:?} {other:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(seen.into_iter().collect::<Vec<_>>(), ["DomainError", "NoEquilibrium", "NotAdmissible", "Ok"]);
+}
+
+#[test]
+fn a_long_history_has_the_events_of_a_path() {
+    for (shape, contact) in many().iter().enumerate() {
+        for control in [Control::Indentation, Control::Force, Control::machine(0.1).expect("positive")] {
+            let folds = contact.folds(&control).expect("folds");
+            let low = folds.iter().map(|fold| control.controlled(&fold.indentation, &fold.force)).fold(-1e-4, f64::min);
+            // Three times to and fro, with noise.
+            let value = |i: usize| {
+                let phase = i as f64 / 400.0;
+                let way = 2.0 * (phase - (phase + 0.5).floor()).abs();
+                -4.0 * low * (1.0 - 1.4 * way) + 0.01 * low * (i as f64 * 0.618_033_988_749_894_9 % 1.0)
+            };
+            let values: Vec<f64> = (0..1100).map(value).collect();
+            for start in [Start::Largest, Start::Smallest] {
+                let history = contact.follow(&control, &values, &start);
+                let (Ok(history), Ok(path)) = (&history, contact.path(&control, &values, &start, 0)) else {
+                    assert!(history.is_err(), "shape {shape}");
+                    continue;
+                };
+                let (arrivals, jumps): (Vec<_>, Vec<_>) = path
+                    .events
+                    .into_iter()
+                    .partition(|event| matches!(event.kind, EventKind::Start | EventKind::WayPoint | EventKind::End));
+                assert_eq!(format!("{:?}", history.jumps), format!("{jumps:?}"), "shape {shape}, {control:?}");
+                assert_eq!(history.states.status.len(), values.len());
+                for (i, arrival) in arrivals.iter().enumerate().take(values.len()) {
+                    let (one, other) = (history.states.contact_radius[i], arrival.after.contact_radius);
+                    assert!(
+                        (one - other).abs() <= 1e-12 * other || one.is_nan() && other.is_nan(),
+                        "{i}: {one} {other}"
+                    );
+                }
+                let known = history.states.status.iter().filter(|status| **status == Status::Ok).count();
+                assert!(known <= arrivals.len(), "shape {shape}, {control:?}");
+            }
+        }
+    }
 }

@@ -8,7 +8,10 @@ use mdr_numeric::admissible::{Basis, GapVerdict};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::SearchQuality;
+#[cfg(doc)]
+use mdr_numeric::tabulated::TabulatedBranch;
 
+use super::tables::{Found, Tables};
 use super::{Choice, ContactColumns, Equilibria, States, status_of};
 
 impl ContactColumns {
@@ -41,6 +44,9 @@ impl ContactColumns {
 
     /// The stable equilibrium at each value of the controlled quantity, independent of the other values.
     ///
+    /// For a thousand values and more the stable branches are [tabulated](TabulatedBranch) where that takes fewer evaluations than
+    /// the searches: the states are those of a search up to the rounding of g and Δl, to 4 ulp of them.
+    ///
     /// # Errors
     /// A stiffness that is not positive; errors of the transform; a fold beyond the range of f64;
     /// [`Stopped`](crate::ContactError::Stopped).
@@ -54,9 +60,16 @@ impl ContactColumns {
             if choice == Choice::Largest {
                 order.reverse();
             }
+            let tables = Tables::new(branches, values);
             let mut states = States::with_capacity(values.len());
             for value in values {
-                let (numbers, status) = match stable(branches, &order, value) {
+                let tabulated = tables.as_ref().map_or(Ok(Found::Open), |tables| tables.first(&order, *value))?;
+                let found = match tabulated {
+                    Found::State(state, status) => Ok(Some((state, status))),
+                    Found::Nothing => Ok(None),
+                    Found::Open => stable(branches, &order, value),
+                };
+                let (numbers, status) = match found {
                     Ok(Some((state, status))) => (self.numbers(&state, control, *value), status),
                     Ok(None) => ([f64::NAN; 3], nothing(branches)),
                     Err(error) => ([f64::NAN; 3], status_of(error)?),

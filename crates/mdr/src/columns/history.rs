@@ -1,13 +1,18 @@
 //! The history of a contact while the controlled quantity moves slowly from value to value.
 
 use mdr_core::contact::{self, Control, Error, Result, Status};
+use mdr_numeric::admissible::Basis;
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{self, Dissipation, EventKind, Path, PathEnergy, Start};
 
+use super::tables::Tables;
 use super::{ContactColumns, States};
 use crate::outputs::path::{changes, is_arrival};
 use crate::run::lack;
+
+/// How far two roundings of one contact radius may be apart, relative to it.
+const ROUNDING: f64 = 1e-9;
 
 /// A state of a history, in SI units. Surfaces that are apart have a = F = 0; surfaces that touch everywhere have no numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,26 +69,106 @@ impl ContactColumns {
     /// transform; [`Error::Stopped`].
     pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>) -> Result<History> {
         self.branched(control, true, |branches| {
+            let mut history = History { states: States::with_capacity(values.len()), jumps: Vec::new() };
+            if let Some(tables) = Tables::new(branches, values)
+                && self.follow_tabulated(branches, &tables, values, start, &mut history)?
+            {
+                return Ok(history);
+            }
+            history = History { states: States::with_capacity(values.len()), jumps: Vec::new() };
             let path = Path::follow(branches, start, values)?;
-            let losses = Dissipation::of_each(&path, branches);
-            let mut states = States::with_capacity(values.len());
-            for event in path.events.iter().filter(|event| is_arrival(event.kind)).take(values.len()) {
-                let state = self.state_at(&event.after, control, event.value);
-                let known = !state.contact_radius.is_nan();
-                states.push(state.row(), if known { Status::Ok } else { Status::NoEquilibrium });
-            }
-            let end = path.events.last().map_or(Status::NoEquilibrium, |event| match event.kind {
-                EventKind::NotAdmissible => Status::NotAdmissible,
-                EventKind::Undecided => Status::Undecided,
-                _ => Status::NoEquilibrium,
-            });
-            for _ in states.status.len()..values.len() {
-                states.push([f64::NAN; 3], end);
-            }
-            let mut jumps = self.events(&path, &losses, control)?;
-            jumps.retain(|event| !is_arrival(event.kind));
-            Ok(History { states, jumps })
+            self.append(&mut history, branches, &path, 0, values.len())?;
+            Ok(history)
         })
+    }
+
+    /// A history by strides of growing length, each followed event by event. Between them the values lie within the tabulated branch
+    /// on which the contact is, up to states that are known to be admissible, or below those at which separated surfaces touch: there
+    /// nothing happens. False if a stride does not begin where the last one ended.
+    fn follow_tabulated(
+        &self,
+        branches: &SearchedBranches<f64>,
+        tables: &Tables<'_>,
+        values: &[f64],
+        start: &Start<f64>,
+        history: &mut History,
+    ) -> Result<bool> {
+        let control = branches.control();
+        values.iter().try_for_each(|value| control.check_value(value))?;
+        // Where g may fall, surfaces may touch on a ring before they do at the tip.
+        let touch = if branches.admissibility().basis() == Basis::Bound { 0.0 } else { f64::NEG_INFINITY };
+        let (mut done, mut stride, mut last) = (0, 1, None);
+        while done < values.len() {
+            let before = done;
+            match &mut last {
+                Some(path::ContactState::Contact(rest)) => {
+                    let branch = branches.folds().partition_point(|fold| fold.contact_radius < rest.contact_radius);
+                    let known = tables.branch(branch)?;
+                    while let Some((value, state)) = values.get(done).and_then(|v| Some((*v, known?.admissible(*v)?))) {
+                        history.states.push(self.numbers(&state, control, value), Status::Ok);
+                        (*rest, done) = (state, done + 1);
+                    }
+                }
+                Some(apart @ path::ContactState::Detached) => {
+                    while let Some(value) = values.get(done).filter(|value| **value < touch) {
+                        history.states.push(self.state_at(apart, control, *value).row(), Status::Ok);
+                        done += 1;
+                    }
+                }
+                Some(path::ContactState::Complete) | None => {}
+            }
+            if done == values.len() {
+                break;
+            }
+            stride = if done > before { 1 } else { stride };
+            let (from, to) = (done.saturating_sub(1), values.len().min(done + stride));
+            let begin = match &last {
+                Some(path::ContactState::Contact(rest)) => Start::Nearest(rest.contact_radius),
+                Some(_) => Start::Detached,
+                None => start.clone(),
+            };
+            let path = Path::follow(branches, &begin, &values[from..to])?;
+            if let Some(last) = &last
+                && !path.events.first().is_some_and(|event| is_one(last, &event.after))
+            {
+                return Ok(false);
+            }
+            self.append(history, branches, &path, done - from, to - done)?;
+            if !path.is_finished() {
+                (to..values.len()).for_each(|_| history.states.push([f64::NAN; 3], end_of(&path)));
+                return Ok(true);
+            }
+            last = path.events.last().map(|event| event.after.clone());
+            (done, stride) = (to, 2 * stride);
+        }
+        Ok(true)
+    }
+
+    /// Appends the states at so many values of a path, of which the first `known` ones are known already, and its events.
+    fn append(
+        &self,
+        history: &mut History,
+        branches: &SearchedBranches<f64>,
+        path: &Path<f64>,
+        known: usize,
+        count: usize,
+    ) -> Result<()> {
+        let (control, states) = (branches.control(), &mut history.states);
+        let len = states.status.len() + count;
+        for event in path.events.iter().filter(|event| is_arrival(event.kind)).skip(known).take(count) {
+            let state = self.state_at(&event.after, control, event.value);
+            let known = !state.contact_radius.is_nan();
+            states.push(state.row(), if known { Status::Ok } else { Status::NoEquilibrium });
+        }
+        for _ in states.status.len()..len {
+            states.push([f64::NAN; 3], end_of(path));
+        }
+        if path.events.iter().any(|event| !is_arrival(event.kind)) {
+            let losses = Dissipation::of_each(path, branches);
+            let jumps = self.events(path, &losses, control)?.into_iter();
+            history.jumps.extend(jumps.filter(|event| !is_arrival(event.kind)));
+        }
+        Ok(())
     }
 
     /// The events along way points, with the energy of each event, and `between` states between each two.
@@ -177,6 +262,26 @@ impl ContactColumns {
             last = Some(event.after);
         }
         Ok(states)
+    }
+}
+
+/// The status of the values behind the end of a path that cannot be continued.
+fn end_of(path: &Path<f64>) -> Status {
+    path.events.last().map_or(Status::NoEquilibrium, |event| match event.kind {
+        EventKind::NotAdmissible => Status::NotAdmissible,
+        EventKind::Undecided => Status::Undecided,
+        _ => Status::NoEquilibrium,
+    })
+}
+
+/// Whether two states are one, up to rounding.
+fn is_one(one: &path::ContactState<f64>, other: &path::ContactState<f64>) -> bool {
+    match (one.contact(), other.contact()) {
+        (Some(one), Some(other)) => {
+            (one.contact_radius - other.contact_radius).abs() <= ROUNDING * one.contact_radius.abs()
+        }
+        (None, None) => one == other,
+        _ => false,
     }
 }
 

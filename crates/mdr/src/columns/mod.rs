@@ -9,6 +9,7 @@
 mod equilibria;
 mod held;
 mod history;
+mod tables;
 
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 

@@ -42,7 +42,7 @@ pub(crate) mod sample;
 pub(crate) mod search;
 pub(crate) mod states;
 mod unused;
-mod weight;
+pub(crate) mod weight;
 
 use std::cell::OnceCell;
 use std::sync::Arc;

@@ -177,15 +177,20 @@ pub(crate) fn with_energy<R: SceneReal>(
     let losses = path.events.iter().zip(path::Dissipation::of_each(path, branches));
     let losses = losses.map(|(event, loss)| dissipated(event, loss)).collect::<Result<Vec<_>>>()?;
     let balance = balance(path, way, stored(path, branches), &losses)?;
-    let events = events(branches.control(), &shown(path, branches.curve().medium()), branches.admissibility())
-        .convert(Estimate::exact)
-        .into_iter()
-        .zip(losses);
-    let mut events: Vec<_> = events.map(|(event, dissipated)| PathEvent { dissipated, ..event }).collect();
-    if !branches.curve().medium().has_depth() {
+    let events = alone(path, branches).into_iter().zip(losses);
+    let events = events.map(|(event, dissipated)| PathEvent { dissipated, ..event }).collect();
+    Ok(PathNumbers { events, balance })
+}
+
+/// The events of a path with contact radii, without energies.
+pub(crate) fn alone<R: SceneReal>(path: &Path<R>, branches: &SearchedBranches<R>) -> Vec<PathEvent<Estimate<R>>> {
+    let medium = branches.curve().medium();
+    let mut events =
+        events(branches.control(), &shown(path, medium), branches.admissibility()).convert(Estimate::exact);
+    if !medium.has_depth() {
         without_depths(&mut events);
     }
-    Ok(PathNumbers { events, balance })
+    events
 }
 
 /// The energy lost in an event; unknown where its integral does not converge.

@@ -10,8 +10,12 @@ mod events;
 mod law;
 #[cfg(feature = "mp")]
 mod proof;
+#[cfg(feature = "mp")]
+mod start;
 
 use mdr_core::calculus::Estimate;
+#[cfg(feature = "mp")]
+use mdr_core::contact::Error;
 #[cfg(feature = "mp")]
 use mdr_core::contact::Status;
 use mdr_core::contact::{Control, Edge, Result};
@@ -273,6 +277,7 @@ impl<'w> IsRoom<'w> for Room {
         if certified.scene.has_two_works() {
             return proved_between_edges(certified);
         }
+        start::refuse_at_once(certified)?;
         let Some(folds) = certified.fold_proof()? else { return Ok(None) };
         let Some((proved, mut followed)) = proof::path(certified, folds)? else { return Ok(None) };
         if !has_energies(certified) {
@@ -293,14 +298,30 @@ impl<'w> IsRoom<'w> for Room {
         if certified.scene.has_two_works() {
             return estimated_between_edges(certified);
         }
-        let estimated = certified.estimated(numbers)?;
         let mut searched = certified.searched()?;
         let folds = certified.fold_proof()?;
         if let Some(Completeness { proved: true, from, to, .. }) = folds.map(|folds| &folds.complete) {
             let [from, to] = [from, to].map(|end| end.as_deref().unwrap_or("infinity").to_owned());
             searched.why += &format!("; not every state of the path is proved within radii from {from} to {to} m");
         }
-        Ok(LoadingPath::new(Promise::Estimated, estimated, searched).into())
+        let path = |numbers| LoadingPath::new(Promise::Estimated, numbers, searched.clone());
+        if !has_energies(certified) {
+            return Ok(path(certified.estimated(alone)?).into());
+        }
+        let Some(why) = start::too_much_energy(certified)? else {
+            return Ok(path(certified.estimated(numbers)?).into());
+        };
+        // The events first: the energies may take all of the budget.
+        let events = path(certified.estimated(alone)?);
+        if certified.scene.energies.is_none() {
+            return Ok(events.without_energy(&why).into());
+        }
+        Ok(match certified.estimated(numbers) {
+            Err(error @ (Error::BudgetSpent { .. } | Error::NoConvergence { .. } | Error::Undecided { .. })) => {
+                events.without_energy(&error.to_string()).into()
+            }
+            numbers => path(numbers?).into(),
+        })
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
@@ -343,6 +364,16 @@ impl From<LoadingPath> for Output {
 fn numbers<R: SceneReal>(states: &States<'_, R>) -> Result<PathNumbers<Estimate<R>>> {
     let path = follow(states.model, &states.branches, states.scene)?;
     events::with_energy(&path, &states.scene.path, &states.branches)
+}
+
+/// The events of the path, without energies.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform. See [`follow`].
+#[cfg(feature = "mp")]
+fn alone<R: SceneReal>(states: &States<'_, R>) -> Result<PathNumbers<Estimate<R>>> {
+    let path = follow(states.model, &states.branches, states.scene)?;
+    Ok(PathNumbers { events: events::alone(&path, &states.branches), balance: None })
 }
 
 /// The digits up to which the energies of a path are computed unless the scene says otherwise.

@@ -1,0 +1,438 @@
+//! A stable branch in doubles, tabulated for many values: polynomials take the place of a search at each.
+//!
+//! Between two kinks the indentation d and its height above the mean of g are piecewise polynomials of the contact radius a, or of
+//! √(a − b) beyond a kink b, where they may have roots of a − b. The controlled quantity rises along a stable branch; a third
+//! polynomial returns the radius from it, or from the root of its distance from a fold or a kink, roughly, and one step with the
+//! first two corrects that to the rounding of g and Δl, which is what a search leaves.
+
+use std::f64::consts::PI;
+
+use mdr_core::contact::{Control, Equilibrium, Error, Result, Stability};
+
+use crate::branch::EquilibriumBranches;
+use crate::contact::{Contact, negligible};
+use crate::equilibrium::SearchedBranches;
+
+/// Coefficients of a polynomial, in powers of an argument between −1 and 1.
+const TERMS: usize = 10;
+type Polynomial = [f64; TERMS];
+
+/// How close to a fold the table begins, relative to its radius: whether a value is that of the fold is left to the search.
+const FROM_FOLD: f64 = 1.0 / 4096.0;
+/// How close to a fold at a kink, where the value may rise like a root.
+const FROM_KINK: f64 = 1.0 / (1 << 30) as f64;
+/// How close to an outer radius the table ends, relative to it: g may diverge there.
+const FROM_END: f64 = 1.0 / 256.0;
+/// The longest piece that is tried, as a ratio of radii.
+const LONGEST: f64 = 1.25;
+/// How often a piece is halved that does not hold.
+const HALVINGS: u32 = 24;
+/// The error of g that a piece may have, in unit roundoffs of |g| + Δl, beside that of a rounded radius: that of a good quadrature.
+const ROUNDINGS: f64 = 8.0;
+/// The error of the rough argument; the step that follows squares it.
+const ROUGH: f64 = 1e-9;
+/// Where a piece is compared with the transform, besides its nodes.
+const CHECKS: [f64; 4] = [-1.0, -0.31, 0.52, 1.0];
+/// Evaluations of g that a piece takes.
+const COST: usize = 2 * (TERMS + CHECKS.len());
+/// The share of a distance by which a value is certainly beyond a fold.
+const CERTAIN: f64 = 1e-9;
+
+/// One stable branch of a contact between two values of the controlled quantity, in doubles.
+///
+/// ```
+/// use mdr_core::contact::{Control, Shape};
+/// use mdr_numeric::branch::EquilibriumBranches;
+/// use mdr_numeric::equilibrium::SearchedBranches;
+/// use mdr_numeric::medium::{Adhesion, Medium};
+/// use mdr_numeric::tabulated::TabulatedBranch;
+/// use mdr_numeric::{contact::Contact, transform::Quadrature};
+/// let ball = Quadrature::of([Shape::Sphere { radius: 1.0 }])?;
+/// let contact = Contact::new(ball, Medium::half_space(1.0)?, Adhesion::new(1e-3)?, Control::Force);
+/// let branches = SearchedBranches::new(contact)?;
+/// let table = TabulatedBranch::new(&branches, 1, [-1e-3, 0.1], 10_000)?.expect("worth its evaluations");
+/// let (one, other) = (table.at(0.05).expect("on the table"), branches.on_branch(1, &0.05)?.expect("at rest"));
+/// assert!((one.contact_radius - other.contact_radius).abs() < 1e-15);
+/// assert!(table.is_beyond(-1.0) && table.at(-1.0).is_none());
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+pub struct TabulatedBranch {
+    curve: Contact<f64>,
+    /// By increasing value; `None` where no polynomial holds to the rounding of g.
+    pieces: Vec<Option<Piece>>,
+    /// The values at which they begin.
+    starts: Vec<f64>,
+    end: f64,
+    /// The values of the folds at the two ends.
+    folds: [Option<f64>; 2],
+}
+
+/// A part of the branch.
+struct Piece {
+    chart: Chart,
+    measure: Measure,
+    /// The argument of the chart, from the measure of the value.
+    inverse: Polynomial,
+    /// d (1.5), from the argument of the chart.
+    indentation: Polynomial,
+    /// d minus the mean of g, which times the stiffness is the force (1.6).
+    excess: Polynomial,
+}
+
+/// A contact radius from an argument t: s = middle + half·t, or b + s² beyond a kink b.
+#[derive(Clone, Copy)]
+struct Chart {
+    kink: Option<f64>,
+    middle: f64,
+    half: f64,
+}
+
+/// A number from a value of the controlled quantity, of which the radius is a smooth function, mapped to [−1, 1].
+#[derive(Clone, Copy)]
+struct Measure {
+    origin: Origin,
+    middle: f64,
+    half: f64,
+}
+
+/// Where the radius has a root as a function of the value.
+#[derive(Clone, Copy)]
+enum Origin {
+    Nowhere,
+    /// At the fold or kink below.
+    Below(f64),
+    /// At the fold above.
+    Above(f64),
+}
+
+impl TabulatedBranch {
+    /// The table of a branch for values between the first and the last; `None` if it takes more than about `budget` evaluations of g,
+    /// or if the branch is not stable or has no states there.
+    ///
+    /// # Errors
+    /// Errors of the transform that do not concern one radius.
+    pub fn new(
+        branches: &SearchedBranches<f64>,
+        branch: usize,
+        [first, last]: [f64; 2],
+        budget: usize,
+    ) -> Result<Option<Self>> {
+        if branches.is_stable(branch) != Some(true) || !(first <= last) {
+            return Ok(None);
+        }
+        let curve = branches.curve().clone();
+        let below = branch.checked_sub(1).and_then(|index| branches.folds().get(index));
+        let above = branches.folds().get(branch);
+        let at = |value: f64| Ok(beside(branches.on_branch(branch, &value))?.flatten().map(|rest| rest.contact_radius));
+        let kinks = curve.transform().kinks();
+        let lower = match below {
+            Some(fold) if kinks.contains(&fold.contact_radius) => Some(fold.contact_radius * (1.0 + FROM_KINK)),
+            Some(fold) => Some(fold.contact_radius * (1.0 + FROM_FOLD)),
+            None => at(first)?,
+        };
+        let end = curve.transform().outer_radius().map(|outer| outer * (1.0 - FROM_END));
+        let upper = match above {
+            Some(fold) => Some(fold.contact_radius * (1.0 - FROM_FOLD)),
+            None => at(last)?.or(end),
+        };
+        let Some([lower, upper]) = lower.zip(upper).map(|(lower, upper)| [lower, upper.min(end.unwrap_or(upper))])
+        else {
+            return Ok(None);
+        };
+        if !(lower > 0.0 && lower < upper && upper.is_finite()) {
+            return Ok(None);
+        }
+        let control = curve.control();
+        let folds = [below, above].map(|fold| {
+            fold.map(|fold| control.controlled(&fold.indentation, &fold.force)).filter(|value| value.is_finite())
+        });
+        let mut builder = Builder { curve: &curve, folds, left: budget, pieces: Vec::new(), starts: Vec::new() };
+        let Some(end) = builder.build(lower, upper)? else { return Ok(None) };
+        let Builder { pieces, starts, .. } = builder;
+        Ok(Some(TabulatedBranch { curve, pieces, starts, end, folds }))
+    }
+
+    /// The state at a value; `None` outside of the table, and where g is no polynomial to its rounding.
+    pub fn at(&self, value: f64) -> Option<Equilibrium<f64>> {
+        if !(value <= self.end) {
+            return None;
+        }
+        let index = self.starts.partition_point(|start| *start <= value).checked_sub(1)?;
+        self.pieces.get(index)?.as_ref()?.state(&self.curve, value)
+    }
+
+    /// The largest value of the table.
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// Whether a value is certainly beyond a fold at an end of the branch, so that there is no state on it.
+    pub fn is_beyond(&self, value: f64) -> bool {
+        let margin = CERTAIN * (self.end - self.starts.first().copied().unwrap_or(self.end)).max(value.abs());
+        let [below, above] = self.folds;
+        below.is_some_and(|fold| value < fold - margin) || above.is_some_and(|fold| value > fold + margin)
+    }
+}
+
+/// `None` where an error concerns one radius or value.
+///
+/// # Errors
+/// Other errors.
+fn beside<T>(result: Result<T>) -> Result<Option<T>> {
+    match result {
+        Err(
+            Error::Domain { .. }
+            | Error::OutOfRange { .. }
+            | Error::NoConvergence { .. }
+            | Error::NoEquilibrium { .. }
+            | Error::Undecided { .. },
+        ) => Ok(None),
+        result => result.map(Some),
+    }
+}
+
+struct Builder<'c> {
+    curve: &'c Contact<f64>,
+    folds: [Option<f64>; 2],
+    /// Evaluations that may be spent.
+    left: usize,
+    pieces: Vec<Option<Piece>>,
+    starts: Vec<f64>,
+}
+
+/// The part of a branch between two kinks, in the argument s of its chart.
+struct Section {
+    kink: Option<f64>,
+    ends: [f64; 2],
+    /// The values of a fold or kink below, and of a fold above.
+    roots: [Option<f64>; 2],
+}
+
+impl Builder<'_> {
+    /// The value at the end of the pieces between two radii; `None` if they cost too much.
+    fn build(&mut self, lower: f64, upper: f64) -> Result<Option<f64>> {
+        let kinks = self.curve.transform().kinks();
+        let first = kinks.iter().copied().filter(|kink| *kink <= lower).next_back();
+        let kinks: Vec<f64> = kinks.into_iter().filter(|kink| *kink > lower && *kink < upper).collect();
+        let ends: Vec<f64> = std::iter::once(lower).chain(kinks).chain([upper]).collect();
+        if self.left < (ends.len() - 1) * COST {
+            return Ok(None);
+        }
+        for (index, pair) in ends.windows(2).enumerate() {
+            let [from, to] = [pair[0], pair[1]];
+            let (kink, below) = match index {
+                0 => (first, self.folds[0]),
+                _ => (Some(from), beside(self.curve.controlled(&from))?),
+            };
+            let above = self.folds[1].filter(|_| to == upper);
+            let ends = kink.map_or([from, to], |kink| [from, to].map(|end| (end - kink).sqrt()));
+            if !self.fill(&Section { kink, ends, roots: [below, above] }, ends, 0)? {
+                return Ok(None);
+            }
+        }
+        let rising = self.starts.windows(2).all(|pair| pair[0] < pair[1]);
+        Ok(beside(self.curve.controlled(&upper))?
+            .filter(|end| rising && self.starts.last().is_some_and(|last| last < end)))
+    }
+
+    /// Pieces for a part of a section; false if the budget is spent.
+    fn fill(&mut self, section: &Section, [from, to]: [f64; 2], depth: u32) -> Result<bool> {
+        let is_long = section.kink.is_none() && to > LONGEST * from;
+        let middle = if is_long { (from * to).sqrt() } else { 0.5 * (from + to) };
+        if !is_long {
+            let Some(left) = self.left.checked_sub(COST) else { return Ok(false) };
+            self.left = left;
+            let found = self.piece(section, [from, to])?;
+            if found.is_some() || depth == HALVINGS || !(from < middle && middle < to) {
+                let start = Chart { kink: section.kink, middle: from, half: 0.0 }.radius(0.0);
+                // Where even this number is missing the values around it are searched.
+                let start = beside(self.curve.controlled(&start))?.unwrap_or(f64::NAN);
+                self.starts.push(start);
+                self.pieces.push(found);
+                return Ok(true);
+            }
+        }
+        let depth = if is_long { depth } else { depth + 1 };
+        Ok(self.fill(section, [from, middle], depth)? && self.fill(section, [middle, to], depth)?)
+    }
+
+    /// One piece, if it holds at the checks.
+    fn piece(&self, section: &Section, [from, to]: [f64; 2]) -> Result<Option<Piece>> {
+        let chart = Chart { kink: section.kink, middle: 0.5 * (from + to), half: 0.5 * (to - from) };
+        let nodes: [f64; TERMS] = std::array::from_fn(|i| -(PI * (i as f64 + 0.5) / TERMS as f64).cos());
+        let [mut indentation, mut excess, mut values] = [[0.0; TERMS]; 3];
+        for (i, t) in nodes.iter().enumerate() {
+            let Some(sample) = self.sample(chart.radius(*t))? else { return Ok(None) };
+            (indentation[i], excess[i], values[i]) = (sample.indentation, sample.excess, sample.value);
+        }
+        let [first, last] = [self.sample(chart.radius(-1.0))?, self.sample(chart.radius(1.0))?];
+        let Some([first, last]) = first.zip(last).map(|(first, last)| [first.value, last.value]) else {
+            return Ok(None);
+        };
+        let is_lower = from + to < section.ends[0] + section.ends[1];
+        let origin = match section.roots {
+            [Some(below), above] if is_lower || above.is_none() => Origin::Below(below),
+            [_, Some(above)] => Origin::Above(above),
+            _ => Origin::Nowhere,
+        };
+        let [low, high] = [first, last].map(|value| origin.measure(value).0);
+        let measure = Measure { origin, middle: 0.5 * (low + high), half: 0.5 * (high - low) };
+        let inverse = through(&values.map(|value| measure.of(value).0), &nodes);
+        let piece = Piece { chart, measure, inverse, indentation: fit(&indentation), excess: fit(&excess) };
+        for t in CHECKS {
+            let Some(sample) = self.sample(chart.radius(t))? else { return Ok(None) };
+            if !piece.holds(t, &sample) {
+                return Ok(None);
+            }
+        }
+        Ok(Some(piece))
+    }
+
+    fn sample(&self, a: f64) -> Result<Option<Sample>> {
+        let (curve, elongation) = (self.curve, self.curve.elongation(&a));
+        let g = beside(curve.transform().g_within(&a, &negligible(&elongation)))?;
+        let above_mean = beside(curve.transform().above_mean(&a))?;
+        let Some((g, above_mean)) = g.zip(above_mean) else { return Ok(None) };
+        let (indentation, excess) = (g - elongation, above_mean - elongation);
+        let value = curve.control().controlled(&indentation, &(curve.stiffness(&a) * excess));
+        let lengths = g.abs() + elongation;
+        Ok(value.is_finite().then_some(Sample { indentation, excess, lengths, value }))
+    }
+}
+
+/// The equilibrium with a radius.
+struct Sample {
+    indentation: f64,
+    /// d minus the mean of g.
+    excess: f64,
+    /// |g| + Δl, the lengths of which they are differences.
+    lengths: f64,
+    /// The controlled quantity.
+    value: f64,
+}
+
+impl Piece {
+    /// The state at a value within the piece.
+    fn state(&self, curve: &Contact<f64>, value: f64) -> Option<Equilibrium<f64>> {
+        let (measured, rate) = self.measure.of(value);
+        let (t, turn) = horner(&self.inverse, measured);
+        let ((depth, depth_rate), (excess, excess_rate)) = (horner(&self.indentation, t), horner(&self.excess, t));
+        let rough = curve.stiffness(&self.chart.radius(t)) * excess;
+        let step = (value - curve.control().controlled(&depth, &rough)) * turn * rate;
+        let contact_radius = self.chart.radius(t + step);
+        let stiffness = curve.stiffness(&contact_radius);
+        let (indentation, force) = (depth + depth_rate * step, stiffness * (excess + excess_rate * step));
+        let force = match curve.control() {
+            // That of the spring: S(a) times a difference of lengths would lose digits on a soft machine.
+            Control::Machine { stiffness: spring } if *spring < stiffness => spring * (value - indentation),
+            _ => force,
+        };
+        let known = contact_radius.is_finite() && indentation.is_finite() && force.is_finite();
+        known.then_some(Equilibrium { contact_radius, indentation, force, stability: Stability::Stable })
+    }
+
+    /// Whether the polynomials have the numbers of the transform at an argument.
+    fn holds(&self, t: f64, sample: &Sample) -> bool {
+        let noise = ROUNDINGS * 0.5 * f64::EPSILON * sample.lengths;
+        let near = |polynomial: &Polynomial, number: f64| {
+            let (value, slope) = horner(polynomial, t);
+            // The radius of the sample is rounded, which is much beside a kink with a root.
+            let rounding = f64::EPSILON * self.chart.radius(t) * (slope / self.chart.rate(t)).abs();
+            (value - number).abs() <= noise + rounding
+        };
+        let rough = horner(&self.inverse, self.measure.of(sample.value).0).0;
+        near(&self.indentation, sample.indentation) && near(&self.excess, sample.excess) && (rough - t).abs() <= ROUGH
+    }
+}
+
+impl Chart {
+    #[inline]
+    fn radius(&self, t: f64) -> f64 {
+        let s = self.middle + self.half * t;
+        match self.kink {
+            Some(kink) => kink + s * s,
+            None => s,
+        }
+    }
+
+    /// The rate of change of the radius with the argument.
+    fn rate(&self, t: f64) -> f64 {
+        let stretch = if self.kink.is_some() { 2.0 * (self.middle + self.half * t) } else { 1.0 };
+        stretch * self.half
+    }
+}
+
+impl Measure {
+    /// The measure of a value, and its rate of change with it.
+    #[inline]
+    fn of(&self, value: f64) -> (f64, f64) {
+        let (measure, rate) = self.origin.measure(value);
+        ((measure - self.middle) / self.half, rate / self.half)
+    }
+}
+
+impl Origin {
+    #[inline]
+    fn measure(self, value: f64) -> (f64, f64) {
+        match self {
+            Origin::Nowhere => (value, 1.0),
+            Origin::Below(origin) => {
+                let root = (value - origin).max(0.0).sqrt();
+                (root, 0.5 / root)
+            }
+            Origin::Above(origin) => {
+                let root = (origin - value).max(0.0).sqrt();
+                (root, -0.5 / root)
+            }
+        }
+    }
+}
+
+/// A polynomial and its derivative.
+#[inline]
+fn horner(coefficients: &Polynomial, t: f64) -> (f64, f64) {
+    coefficients.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * t + c, slope * t + value))
+}
+
+/// The polynomial through values at −cos(π(i + 1/2)/TERMS).
+fn fit(values: &Polynomial) -> Polynomial {
+    // The roundings are those of differences.
+    let base = values[TERMS / 2];
+    let term = |k: usize| {
+        let cosine = |i: usize| (PI * (k as f64) * (i as f64 + 0.5) / TERMS as f64).cos();
+        let sum: f64 = (0..TERMS).map(|i| (values[TERMS - 1 - i] - base) * cosine(i)).sum();
+        sum * if k == 0 { 1.0 } else { 2.0 } / TERMS as f64
+    };
+    let mut total = [0.0; TERMS];
+    // The coefficients of Tₖ and of Tₖ₊₁.
+    let (mut this, mut next) = ([0.0; TERMS], [0.0; TERMS]);
+    (this[0], next[1]) = (1.0, 1.0);
+    for k in 0..TERMS {
+        let c = term(k);
+        total.iter_mut().zip(&this).for_each(|(total, power)| *total += c * power);
+        let mut after = this.map(|power| -power);
+        after.iter_mut().skip(1).zip(&next).for_each(|(after, power)| *after += 2.0 * power);
+        (this, next) = (next, after);
+    }
+    total[0] += base;
+    total
+}
+
+/// The polynomial that has these values at these arguments.
+fn through(arguments: &Polynomial, values: &Polynomial) -> Polynomial {
+    let mut quotients = *values;
+    for order in 1..TERMS {
+        for i in (order..TERMS).rev() {
+            quotients[i] = (quotients[i] - quotients[i - 1]) / (arguments[i] - arguments[i - order]);
+        }
+    }
+    let mut total = [0.0; TERMS];
+    for (quotient, argument) in quotients.iter().zip(arguments).rev() {
+        let shifted = total.map(|power| -argument * power);
+        let mut raised = [0.0; TERMS];
+        raised[1..].copy_from_slice(&total[..TERMS - 1]);
+        total = std::array::from_fn(|i| raised[i] + shifted[i]);
+        total[0] += quotient;
+    }
+    total
+}

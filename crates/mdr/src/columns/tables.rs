@@ -1,0 +1,106 @@
+//! Tables of stable branches, in place of a search for each of many values.
+
+use std::cell::OnceCell;
+
+use mdr_core::contact::{Equilibrium, Result, Status};
+use mdr_numeric::admissible::GapVerdict;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::equilibrium::SearchedBranches;
+use mdr_numeric::tabulated::TabulatedBranch;
+
+/// From so many values on tables are built.
+const FEWEST: usize = 1024;
+/// Evaluations of g, per value, that a table may take: a search takes about as many.
+const PER_VALUE: usize = 8;
+
+/// The stable branches of a contact, tabulated when they are needed.
+pub(super) struct Tables<'b> {
+    branches: &'b SearchedBranches<f64>,
+    range: [f64; 2],
+    budget: usize,
+    known: Vec<OnceCell<Option<Known>>>,
+}
+
+/// A stable branch.
+pub(super) struct Known {
+    pub(super) table: TabulatedBranch,
+    /// All states with radii up to this one are admissible: that is lost once on a stable branch, and for all larger radii.
+    admitted: f64,
+}
+
+/// What tables tell of a value.
+pub(super) enum Found {
+    /// The state on the first branch that has one.
+    State(Equilibrium<f64>, Status),
+    /// There is none.
+    Nothing,
+    /// It must be searched.
+    Open,
+}
+
+impl<'b> Tables<'b> {
+    /// `None` for few values.
+    pub(super) fn new(branches: &'b SearchedBranches<f64>, values: &[f64]) -> Option<Self> {
+        if values.len() < FEWEST {
+            return None;
+        }
+        let finite = || values.iter().copied().filter(|value| value.is_finite());
+        let range = [finite().reduce(f64::min)?, finite().reduce(f64::max)?];
+        let known = std::iter::repeat_with(OnceCell::new).take(branches.folds().len() + 1).collect();
+        Some(Tables { branches, range, budget: PER_VALUE * values.len(), known })
+    }
+
+    /// The table of a branch, if there is one.
+    ///
+    /// # Errors
+    /// Errors of the transform that do not concern one radius.
+    pub(super) fn branch(&self, branch: usize) -> Result<Option<&Known>> {
+        let Some(cell) = self.known.get(branch) else { return Ok(None) };
+        if let Some(known) = cell.get() {
+            return Ok(known.as_ref());
+        }
+        let table = TabulatedBranch::new(self.branches, branch, self.range, self.budget)?;
+        let known = table.map(|table| {
+            let last = table.at(table.end().min(self.range[1]));
+            let admitted = last.filter(|last| self.verdict(last) == GapVerdict::Admissible);
+            Known { admitted: admitted.map_or(0.0, |last| last.contact_radius), table }
+        });
+        Ok(cell.get_or_init(|| known).as_ref())
+    }
+
+    /// The state at a value on the first of these branches that has one.
+    ///
+    /// # Errors
+    /// Errors of the transform that do not concern one radius.
+    pub(super) fn first(&self, order: &[usize], value: f64) -> Result<Found> {
+        for branch in order {
+            let Some(known) = self.branch(*branch)? else { return Ok(Found::Open) };
+            match known.table.at(value) {
+                Some(state) if known.admits(&state) => return Ok(Found::State(state, Status::Ok)),
+                Some(state) => {
+                    let interpenetrates = matches!(self.verdict(&state), GapVerdict::Interpenetrating { .. });
+                    return Ok(Found::State(state, if interpenetrates { Status::NotAdmissible } else { Status::Ok }));
+                }
+                None if known.table.is_beyond(value) => {}
+                None => return Ok(Found::Open),
+            }
+        }
+        Ok(Found::Nothing)
+    }
+
+    fn verdict(&self, state: &Equilibrium<f64>) -> GapVerdict {
+        self.branches.admissibility().of(state.contact_radius, state.indentation)
+    }
+}
+
+impl Known {
+    /// Whether a state of the branch is known to be admissible.
+    pub(super) fn admits(&self, state: &Equilibrium<f64>) -> bool {
+        state.contact_radius <= self.admitted
+    }
+
+    /// The state at a value, if it is known to be admissible.
+    pub(super) fn admissible(&self, value: f64) -> Option<Equilibrium<f64>> {
+        self.table.at(value).filter(|state| self.admits(state))
+    }
+}
