@@ -212,7 +212,7 @@ impl Builder<'_> {
     /// The value at the end of the pieces between two radii; `None` if they cost too much.
     fn build(&mut self, lower: f64, upper: f64) -> Result<Option<f64>> {
         let kinks = self.curve.transform().kinks();
-        let first = kinks.iter().copied().filter(|kink| *kink <= lower).next_back();
+        let first = kinks.iter().copied().rfind(|kink| *kink <= lower);
         let kinks: Vec<f64> = kinks.into_iter().filter(|kink| *kink > lower && *kink < upper).collect();
         let ends: Vec<f64> = std::iter::once(lower).chain(kinks).chain([upper]).collect();
         if self.left < (ends.len() - 1) * COST {

@@ -202,7 +202,7 @@ fn a_line_contact_without_a_reference_has_no_depths() {
 fn scattered(len: usize, [low, high]: [f64; 2], fold: f64) -> Vec<f64> {
     let value = |i: usize| {
         let share = i as f64 * 0.618_033_988_749_894_9 % 1.0;
-        if i % 4 == 0 { fold + fold.abs() * 1e-12f64.powf(share) } else { low + (high - low) * share }
+        if i.is_multiple_of(4) { fold + fold.abs() * 1e-12f64.powf(share) } else { low + (high - low) * share }
     };
     (0..len).map(value).collect()
 }

@@ -1,0 +1,62 @@
+//! Paths over measured tables in certified digits, within bounded work.
+#![cfg(feature = "mp")]
+
+use mdr::prelude::*;
+
+/// A wavy paraboloid of radius 1, in so many rows up to r = 0.5, pulled from an indentation.
+fn scene(rows: usize, from: &str, energies: Option<bool>) -> Scene {
+    let row = |i: usize| {
+        let r = 0.5 * i as f64 / (rows - 1) as f64;
+        format!("{r:.6e},{:.6e}\n", r * r / 2.0 + 3e-4 * (1.0 - (r / 0.05).cos()))
+    };
+    let csv: String = std::iter::once("r,f\n".to_owned()).chain((0..rows).map(row)).collect();
+    let file = move |_: &str| Ok(csv.clone().into_bytes());
+    let text = format!(
+        r#"{{"profile": {{"kind": "table", "file": "tip.csv", "columns": "r,f"}},
+            "material": {{"e_star": 1, "work_of_adhesion": "1e-3"}},
+            "control": {{"kind": "indentation", "path": ["{from}", "-0.1"]}}, "output": {{"want": ["path"], "digits": 20}}}}"#
+    );
+    let scene = Scene::from_json(&text, "scene.json", &file).expect("a scene");
+    match energies {
+        Some(wanted) => scene.energies(wanted),
+        None => scene,
+    }
+}
+
+fn solve(scene: &Scene, seconds: f64) -> mdr::Result<Answer> {
+    scene.solve_with(&mut Run::default().within(seconds))
+}
+
+fn path(answer: Answer) -> mdr::answer::LoadingPath {
+    match answer.outputs.into_iter().next() {
+        Some(Output::Path(path)) => *path,
+        other => panic!("no path: {other:?}"),
+    }
+}
+
+#[test]
+fn a_path_over_a_table_that_cannot_start_is_refused_for_next_to_no_work() {
+    // A proof of the folds of these rows takes a hundred times as much work.
+    for from in ["-0.5", "-0.05"] {
+        let refused = solve(&scene(100, from, None), 0.02).expect_err("a refusal").to_string();
+        assert!(refused.contains("the path cannot start there: no stable equilibrium"), "{refused}");
+    }
+    assert!(solve(&scene(100, "0.01", None), 0.02).is_ok(), "it can start");
+}
+
+#[test]
+fn a_long_table_has_its_events_whatever_its_energies_take() {
+    for (energies, why) in [(None, "energies = \"yes\""), (Some(true), "the budget was spent"), (Some(false), "")] {
+        let path = path(solve(&scene(1000, "0.01", energies), 2.0).expect("an answer"));
+        let kinds: Vec<EventKind> = path.events.items.iter().map(|event| event.event).collect();
+        assert_eq!(kinds, [EventKind::Start, EventKind::Detached, EventKind::End], "{energies:?}");
+        let radius = path.events.items[1].contact_radius.as_ref().expect("a radius").to_string();
+        assert!((radius.parse::<f64>().expect("a number") - 0.0698).abs() < 1e-4 && radius.len() > 20, "{radius}");
+        match path.balance {
+            Some(balance) => {
+                assert!(matches!(&balance.work, Value::Unknown { why: Some(said), .. } if said.contains(why)))
+            }
+            None => assert_eq!(energies, Some(false)),
+        }
+    }
+}
