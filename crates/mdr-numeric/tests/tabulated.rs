@@ -55,7 +55,7 @@ fn shapes() -> Vec<Shape<f64>> {
 #[test]
 fn the_states_of_a_table_are_those_of_the_search() -> Result<()> {
     let media = || -> Result<Vec<Medium<f64>>> { Ok(vec![Medium::half_space(1.0)?, Medium::winkler(1e9)?]) };
-    let (mut tables, mut worst) = (0, [0.0f64; 3]);
+    let mut tables = 0;
     for (shape, medium) in
         shapes().into_iter().flat_map(|shape| media().into_iter().flatten().map(move |m| (shape.clone(), m)))
     {
@@ -90,7 +90,6 @@ fn the_states_of_a_table_are_those_of_the_search() -> Result<()> {
                         apart.iter().all(|roundings| *roundings <= ROUNDINGS),
                         "{shape:?} {control:?} at {at}: {apart:?}"
                     );
-                    worst = [0, 1, 2].map(|i: usize| worst[i].max(apart[i]));
                 }
                 assert!(found >= count * 4 / 5, "{shape:?} {control:?}, branch {branch}: {found}");
                 assert!(!table.is_beyond(0.5 * (low + high)));
@@ -99,7 +98,6 @@ fn the_states_of_a_table_are_those_of_the_search() -> Result<()> {
         }
     }
     assert!(tables >= 36, "{tables}");
-    println!("roundings of a, d and F: {worst:.1?}");
     Ok(())
 }
 

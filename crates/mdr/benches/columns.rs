@@ -32,7 +32,10 @@ fn least(known: &mut f64, values: usize, ask: impl FnOnce() -> bool) {
 }
 
 fn main() -> Result<(), Error> {
-    println!("{:>16} {:>12} {:>9} {:>10} {:>7} {:>11}", "profile", "control", "long, ns", "short, ns", "ratio", "follow, ns");
+    println!(
+        "{:>16} {:>12} {:>9} {:>10} {:>7} {:>11}",
+        "profile", "control", "long, ns", "short, ns", "ratio", "follow, ns"
+    );
     for (name, shape) in shapes() {
         let contact = ContactColumns::new(&Scene::new(shape, Elasticity::effective("1")?, "1e-3")?)?;
         for control in [Control::Indentation, Control::Force, Control::machine(0.1)?] {
