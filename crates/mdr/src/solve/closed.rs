@@ -6,11 +6,13 @@ use mdr_core::contact::Shape;
 
 use crate::scene::{Arithmetic, Formula, Profile, Scene, exactly};
 
-/// The scene with each formula that is a sum of powers cᵢrⁿⁱ, cᵢ > 0, in closed form, if it asks for certified digits.
+/// The scene with each formula that is a sum of powers cᵢrⁿⁱ, cᵢ > 0, in closed form, if it asks for certified digits. Powers of r are
+/// not periodic, so that a formula on a periodic medium stays as it is.
 pub(super) fn in_closed_form(scene: &Scene) -> Cow<'_, Scene> {
-    match (scene.arithmetic, closed(&scene.profile)) {
-        (Arithmetic::Certified { .. }, Some(profile)) => Cow::Owned(scene.with_profile(profile)),
-        _ => Cow::Borrowed(scene),
+    let is_of_powers = matches!(scene.arithmetic, Arithmetic::Certified { .. }) && !scene.medium.is_periodic();
+    match is_of_powers.then(|| closed(&scene.profile)).flatten() {
+        Some(profile) => Cow::Owned(scene.with_profile(profile)),
+        None => Cow::Borrowed(scene),
     }
 }
 
