@@ -14,8 +14,9 @@ function set(node, attributes) {
   for (const key in attributes) if (had[key] !== attributes[key]) node.setAttribute(key, (had[key] = attributes[key]));
   return node;
 }
-/** In a lecture, letters, lines and marks of the pictures are larger: so many pixels of the screen are one of theirs. */
-const magnification = () => (document.body.dataset.mode === 'lecture' ? 1.4 : 1);
+/** In a lecture, letters, lines and marks of the pictures are larger: so many pixels of the screen are one of theirs. A phone
+ *  has no room for that. */
+const magnification = () => (document.body.dataset.mode === 'lecture' && innerWidth > 760 && innerHeight > 480 ? 1.4 : 1);
 /** The logarithmic axis of radii shows so many times the smallest one. */
 const DECADES = 3000;
 

@@ -276,6 +276,8 @@ test('a lecture, a laptop and a phone on its side need no scrolling, and the sli
     [1280, 720, '#lecture&v=0.25', ['balance', 'body', 'force', 'value'], ['s-n', 'energy']],
     [1366, 768, '', ['balance', 'energy', 'body', 'force', 'value', 's-n'], []],
     [844, 390, '', ['balance', 'value'], ['energy']],
+    [844, 390, '#lecture', ['balance', 'force', 'value', 'lecture'], ['body']],
+    [390, 844, '#lecture', ['balance', 'body', 'force', 'value', 'lecture'], ['energy']],
   ]) {
     const page = await open(browser, hash, { viewport: { width, height } });
     const what = `${width} × ${height}`;
@@ -284,6 +286,7 @@ test('a lecture, a laptop and a phone on its side need no scrolling, and the sli
     for (const id of seen) {
       const box = await page.locator(`#${id}`).boundingBox();
       assert.ok(box.y >= 0 && box.y + box.height <= height + 1 && box.height > 20, `${what}: ${id} at ${JSON.stringify(box)}`);
+      assert.ok(box.x >= 0 && box.x + box.width <= width + 1, `${what}: ${id} at ${JSON.stringify(box)}`);
     }
     for (const id of hidden) assert.ok(await page.isHidden(`#${id}`), `${what}: ${id}`);
     const slider = await page.locator('#value').boundingBox();
