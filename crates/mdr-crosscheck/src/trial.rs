@@ -92,8 +92,7 @@ impl<'a> Trial<'a> {
         scale: &R,
         allowed: f64,
     ) {
-        let difference = (found.clone() - expected) / scale / scale.unit_roundoff();
-        self.enter(quantity, difference.abs().approx(), allowed);
+        self.enter(quantity, roundoffs_on(found, expected, scale), allowed);
     }
 
     /// Demands a fact; enters 0 or 1 against 0.
@@ -112,7 +111,17 @@ pub(crate) fn roundoffs<R: Real>(found: &R, expected: &R) -> f64 {
     if found == expected {
         return 0.0;
     }
-    ((found.clone() - expected) / expected / expected.unit_roundoff()).abs().approx()
+    roundoffs_on(found, expected, expected)
+}
+
+/// |found − expected| in unit roundoffs of `scale`, or in the distance of subnormal numbers where the scale is one of them.
+fn roundoffs_on<R: Real>(found: &R, expected: &R, scale: &R) -> f64 {
+    let zero = scale.lit(0);
+    let difference = (found.clone() - expected).abs();
+    if *scale != zero && scale.clone() * scale.unit_roundoff() == zero {
+        return (difference / R::from_f64(scale.ctx(), f64::from_bits(1))).approx();
+    }
+    (difference / scale / scale.unit_roundoff()).abs().approx()
 }
 
 /// The error of a double in units in the last place of the correctly rounded `exact`; infinite where it is no number.

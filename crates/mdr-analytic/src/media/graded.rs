@@ -333,10 +333,21 @@ impl<R: Real> GradedContact<R> {
         let (n, share) = (self.exponent(), self.profile.g(a)? / self.sum());
         let below = d.clone() - share.clone() * self.medium.whole();
         let spread = self.medium.whole() / (n.clone() + self.sum());
-        let elastic = (below.square() + (share * n).square() * spread) * &stiffness;
-        let adhesion = a.square() * a.pi() * self.medium.work_of_adhesion();
-        let (stretched, attracted) = (elastic.clone(), adhesion.clone());
-        difference(Quantity::Energy, elastic, adhesion, || [stretched.ln(), attracted.ln()])
+        let about = share * n;
+        let square = below.square() + about.square() * &spread;
+        // A square may leave the range where its product with the stiffness does not.
+        let elastic = if ordinary(&square) {
+            square * &stiffness
+        } else {
+            product([&stiffness, &below, &below]) + product([&stiffness, &about, &about, &spread])
+        };
+        let work = self.medium.work_of_adhesion();
+        let adhesion = product([a, a, &a.pi(), work]);
+        difference(Quantity::Energy, elastic, adhesion, || {
+            let larger = below.abs().greater(&about.abs());
+            let shares = (below / &larger).square() + (about / &larger).square() * &spread;
+            [larger.ln().times(2) + shares.ln() + stiffness.ln(), a.ln().times(2) + a.pi().ln() + work.ln()]
+        })
     }
 
     pub(super) fn exponent(&self) -> &R {

@@ -161,15 +161,7 @@ pub(super) fn pull_off(trial: &mut Trial<'_>) -> Result<()> {
         trial.fail("no pull-off");
         return Ok(());
     };
-    const STEP: f64 = 1.0 / 1024.0;
-    let a = state.contact_radius;
-    let [below, above] = [1.0 - STEP, 1.0 + STEP].map(|k| contact.state(&(a * k)).map(|state| state.force));
-    let (below, here, above) = (below?, state.force, above?);
-    let (tilt, bend) = ((above - below) / 2.0, above + below - 2.0 * here);
-    trial.demand("F is least", bend > 0.0);
-    // The third derivative moves the vertex by STEP² of a; the force itself is known to 10⁻¹⁴, its bend to that over STEP².
-    let noise = 1e-14 * state.force.abs() / bend;
-    trial.enter("vertex", (tilt / bend * STEP).abs(), STEP * STEP * 4.0 * (n + 2.0) + noise * STEP);
+    is_vertex(trial, &contact, &state, n)?;
     let change = (state.force / jkr.force - 1.0).abs();
     // The ring is a share π h₀/(s a) = O(1/μ) of the contact, and so is the change of the force.
     trial.enter("change of F", change, 3.0 * (n + 2.0).powi(2) / tabor);
@@ -179,4 +171,32 @@ pub(super) fn pull_off(trial: &mut Trial<'_>) -> Result<()> {
         trial.enter("DMT limit", 1.0 - dmt, 0.7 * tabor.powf(0.75).min(1.0));
     }
     Ok(())
+}
+
+/// The state has the least force among its neighbours, and a parabola through three of them has its vertex there.
+///
+/// The force is known to 10⁻¹⁴. Where the adhesion has a long range, F hardly changes with a, so that the neighbours are taken
+/// farther away, up to a half of a, until the bend of the parabola exceeds what is not known of it a thousand times.
+fn is_vertex(trial: &mut Trial<'_>, contact: &Dugdale<f64>, state: &CohesiveState<f64>, n: f64) -> Result<()> {
+    let noise = 1e-14 * state.force.abs();
+    let mut step = 1.0 / 1024.0;
+    loop {
+        let beside = |k: f64| contact.state(&(state.contact_radius * k)).map(|state| state.force);
+        let (below, above) = (beside(1.0 - step)?, beside(1.0 + step)?);
+        trial.demand("F is least", state.force <= below.min(above) + 2.0 * noise);
+        let (tilt, bend) = ((above - below) / 2.0, above + below - 2.0 * state.force);
+        if bend > 1000.0 * noise {
+            // The third derivative moves the vertex by step² of a.
+            trial.enter(
+                "vertex",
+                (tilt / bend * step).abs(),
+                step * step * 4.0 * (n + 2.0) + 4.0 * noise / bend * step,
+            );
+            return Ok(());
+        }
+        if step >= 0.5 {
+            return Ok(());
+        }
+        step *= 2.0;
+    }
 }

@@ -19,6 +19,11 @@ pub(super) fn kappa_roundings(n: f64) -> f64 {
     KAPPA + 12.0 + 4.0 * (1.0 + argument * (1.0 + argument.ln().abs()))
 }
 
+/// The number in 200 bits.
+fn wide<R: Arithmetic>(value: &R) -> Float {
+    Float::with_val(200, value.widen())
+}
+
 /// A contact of the grid: k to both sides of 0, and a radius at which g and Δl are comparable.
 struct Drawn<R> {
     n: f64,
@@ -75,24 +80,44 @@ impl<R: Arithmetic> Drawn<R> {
         Ok(near * stretch.exp())
     }
 
-    /// A refusal for range, against the logarithms of the same quantity of states (a, d, F) in 200 bits. The logarithm of a is a
-    /// sum of one of each number, each with its rounding, over 2n−1+k, which has one itself.
-    fn is_beyond(
-        &self,
-        trial: &mut Trial<'_>,
-        (quantity, log10): (Quantity, f64),
-        states: impl FnOnce(&GradedContact<Float>) -> Result<Vec<[Float; 3]>>,
-    ) -> Result<()> {
-        const BITS: u32 = 200;
-        let numbers = self.numbers.each_ref().map(|x| Float::with_val(BITS, x.widen()));
-        let largest = numbers.iter().map(|x| x.clone().abs().ln().approx().abs()).fold(1.0, f64::max);
-        let [n, c, _, k, coefficient, work] = numbers;
+    /// The contact in 200 bits.
+    fn wide(&self) -> Result<GradedContact<Float>> {
+        let [n, c, _, k, coefficient, work] = self.numbers.each_ref().map(wide);
         let medium = if self.k == 1.0 {
             GradedHalfSpace::winkler(coefficient.clone() / coefficient.pi(), work)?
         } else {
             GradedHalfSpace::new(k, coefficient, work)?
         };
-        let states = states(&GradedContact::new(n, c, medium)?)?;
+        GradedContact::new(n, c, medium)
+    }
+
+    /// A refusal of the energy for range, against the logarithm of the energy of the same state in 200 bits. Its terms are
+    /// within S·size², which the difference cancels.
+    fn energy_is_beyond(&self, trial: &mut Trial<'_>, log10: f64, state: [&R; 3], terms: f64) -> Result<()> {
+        let ([a, d, size], contact) = (state.map(wide), self.wide()?);
+        let exact = contact.energy(&a, &d)?.abs();
+        let stiffness = contact.medium().punch_stiffness(&a)?;
+        let adhesion = a.clone() * &a * a.pi() * contact.medium().work_of_adhesion();
+        let cancelled = ((stiffness * &size * &size + adhesion) / &exact).approx();
+        let error = (exact.ln().approx() / std::f64::consts::LN_10 - log10).abs();
+        let allowed = 4.0 * terms * cancelled + 8.0 * (1.0 + log10.abs());
+        trial.enter("log₁₀ of the energy", error / self.numbers[0].unit_roundoff().approx(), allowed);
+        trial.demand("the energy is out of range", log10.abs() > 307.0);
+        Ok(())
+    }
+
+    /// A refusal for range, against the logarithms of the same quantity of states (a, d, F) in 200 bits. The logarithm of a is a
+    /// sum of one of each number, each with its rounding, over `excess`, which has one itself: |2n−1+k|, but |n−2| on a machine in
+    /// series with springs, whose stiffness grows as that of the contact.
+    fn is_beyond(
+        &self,
+        trial: &mut Trial<'_>,
+        (quantity, log10): (Quantity, f64),
+        excess: f64,
+        states: impl FnOnce(&GradedContact<Float>) -> Result<Vec<[Float; 3]>>,
+    ) -> Result<()> {
+        let largest = self.numbers.iter().map(|x| x.abs().ln().approx().abs()).fold(1.0, f64::max);
+        let states = states(&self.wide()?)?;
         let logs = states.into_iter().filter_map(|[a, d, f]| {
             let value = match quantity {
                 Quantity::ContactRadius => a,
@@ -103,7 +128,6 @@ impl<R: Arithmetic> Drawn<R> {
             Some(value.abs().ln().approx() / std::f64::consts::LN_10)
         });
         let error = logs.map(|exact| (exact - log10).abs()).fold(f64::INFINITY, f64::min);
-        let excess = (2.0 * self.n - 1.0 + self.k).abs();
         let allowed = (self.n + 2.0) * (kappa_roundings(self.n) + 40.0 + 16.0 * largest) / excess
             + log10.abs() * (4.0 + 2.0 / excess);
         trial.enter(format!("log₁₀ of {quantity}"), error / self.numbers[0].unit_roundoff().approx(), allowed);
@@ -163,7 +187,12 @@ pub(super) fn states<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
 
     let d = trial.closed.graded_indentation(contact, &a)?;
     let force = trial.closed.graded_force(contact, &a)?;
-    let by_depth = trial.closed.graded_energy(&dual, &lifted, &Dual::variable(d.clone()))?.slope;
+    let by_depth = match trial.closed.graded_energy(&dual, &lifted, &Dual::variable(d.clone())) {
+        Err(Error::OutOfRange { quantity: Quantity::Energy, log10 }) => {
+            return drawn.energy_is_beyond(trial, log10, [&a, &d, &size], terms);
+        }
+        energy => energy?.slope,
+    };
     trial.compare_on("∂Π/∂d", &by_depth, &force, &(stiffness.clone() * &size), 4.0 * terms);
     // Π is a quadratic function of d: S is twice the difference quotient of the slope.
     let shifted = trial.closed.graded_energy(&dual, &lifted, &Dual::variable(d.clone() + &size))?.slope;
@@ -203,7 +232,7 @@ pub(super) fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::
         let state = match trial.closed.graded_critical(contact, &control) {
             Err(Error::OutOfRange { quantity, log10 }) => {
                 let held = if control == Control::Force { Control::Force } else { Control::Indentation };
-                drawn.is_beyond(trial, (quantity, log10), |wide| {
+                drawn.is_beyond(trial, (quantity, log10), excess, |wide| {
                     let state = wide.critical(&held)?;
                     Ok(vec![[state.contact_radius, state.indentation, state.force]])
                 })?;
@@ -230,8 +259,9 @@ pub(super) fn folds<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::
     let stiffness = contact.medium().punch_stiffness(&near)? * stretch.exp();
     let folds = match trial.closed.graded_machine_folds(contact, &stiffness) {
         Err(Error::OutOfRange { quantity, log10 }) => {
-            let stiffness = Float::with_val(200, stiffness.widen());
-            drawn.is_beyond(trial, (quantity, log10), |wide| {
+            let stiffness = wide(&stiffness);
+            let excess = if drawn.k == 1.0 { excess.min((drawn.n - 2.0).abs()) } else { excess };
+            drawn.is_beyond(trial, (quantity, log10), excess, |wide| {
                 let folds = wide.machine_folds(&stiffness)?.into_iter();
                 Ok(folds.map(|fold| [fold.contact_radius, fold.indentation, fold.force]).collect())
             })?;
