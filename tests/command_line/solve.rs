@@ -291,7 +291,7 @@ fn figure_4() -> String {
 }
 
 /// Folds need g' where they are looked for, and g and its integral once for each fold that is found; whether they are
-/// admissible needs the extrema of g. No field, and no quadrature where g is closed.
+/// admissible needs the extrema of g, and with a proof g outside of each. No field, and no quadrature where g is closed.
 #[test]
 fn folds_alone_cost_nothing_but_folds() {
     let scene = figure_4().replace("want = [\"folds\", \"path\"]", "want = [\"folds\"]");
@@ -301,7 +301,7 @@ fn folds_alone_cost_nothing_but_folds() {
     assert!((100..10_000).contains(slope) && *g < 10_000, "{slope} {g}");
     let certified = explained(&scene);
     assert!(certified.iter().all(|(output, arithmetic, [g, _, integral])| {
-        output == "folds" && arithmetic != "mp" && (*g <= 20 || arithmetic == "f64") && *integral <= 40
+        output == "folds" && arithmetic != "mp" && (*g <= 200 || arithmetic == "f64") && *integral <= 40
     }));
 }
 

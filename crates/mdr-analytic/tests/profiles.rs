@@ -175,6 +175,26 @@ fn continuous_across_the_edge() {
 }
 
 #[test]
+fn g_rises_beyond_the_radius_that_is_named() {
+    let b = Float::with_val(BITS, 3) / 7u32;
+    let mut named = 0;
+    for (name, profile) in library(&b).unwrap() {
+        let end = profile.outer_radius().map_or(f64::INFINITY, |end| end.to_f64());
+        for from in [0.25, 0.5, 0.999, 1.0, 1.001, 2.0, 8.0].map(|share| Float::with_val(BITS, &b * share)) {
+            if !profile.rises_beyond(&from) {
+                continue;
+            }
+            named += 1;
+            let steps = (1..400).map(|step| Float::with_val(BITS, &from * (f64::from(step) / 50.0).exp()));
+            for x in steps.take_while(|x| *x < end) {
+                assert!(profile.slope(&x).unwrap() >= 0, "{name}: g falls at {x}, beyond {from}");
+            }
+        }
+    }
+    assert!(named > 40, "{named}");
+}
+
+#[test]
 fn edges_and_ends_are_refused() {
     let b = Float::with_val(BITS, 3) / 7u32;
     for (name, profile) in library(&b).unwrap() {

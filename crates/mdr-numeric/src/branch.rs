@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use mdr_core::contact::{Control, Equilibrium, Error, Fold, FoldKind, Outcome, Quantity, Result, Stability};
 use mdr_core::number::Real;
 
-use crate::admissible::{Admissibility, Ring, Touch};
+use crate::admissible::{Admissibility, GapVerdict, Ring, Touch};
 use crate::contact::Contact;
 
 /// The curve of equilibria cut at its folds. Between two folds the controlled quantity is monotone, so each branch
@@ -59,6 +59,14 @@ pub trait EquilibriumBranches<R: Real> {
 
     /// The admissibility of states.
     fn admissibility(&self) -> &Admissibility;
+
+    /// Whether a state is admissible.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] where a proof is asked for, and enclosures of the gap do not decide it.
+    fn verdict(&self, state: &Equilibrium<R>) -> Result<GapVerdict> {
+        Ok(self.admissibility().of(state.contact_radius.approx(), state.indentation.approx()))
+    }
 
     /// The first contact of separated surfaces, if it is not at the tip.
     ///

@@ -18,6 +18,7 @@ use crate::run::{Counts, lack};
 use crate::scene::{Profile, Scene};
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{Search, doubles};
+use crate::solve::verdict;
 
 named! {
     /// The theory of adhesion that a Tabor number calls for.
@@ -221,10 +222,8 @@ fn record<R: SceneReal>(
         _ => None,
     };
     let a_over_r = curvature.map(|radius| at(&|a| Ok(a.clone() / model.number(radius)))).transpose()?;
-    let admissible = fold
-        .as_ref()
-        .ok()
-        .map(|fold| Admission::of(admissibility.of(fold.contact_radius.approx(), fold.indentation.approx())));
+    let admissible =
+        fold.as_ref().ok().map(|fold| Admission::of(verdict(admissibility, &fold.contact_radius, &fold.indentation)));
     let validity = Validity {
         range_of_adhesion: range.clone(),
         tabor,

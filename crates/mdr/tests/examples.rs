@@ -36,6 +36,24 @@ fn certified_answers_are_those_of_the_command_line() {
     }
 }
 
+/// Which states are admissible is proved as every digit is, for shapes whose g falls as well, whose gap is enclosed.
+#[cfg(feature = "mp")]
+#[test]
+fn which_states_are_admissible_is_proved() {
+    let mut falling = 0;
+    for name in names() {
+        let scene = scene(&name).arithmetic(Arithmetic::Certified { digits: 20 });
+        if name.contains("table") {
+            continue;
+        }
+        let answer: Json = serde_json::from_str(&scene.solve().unwrap().to_json()).unwrap();
+        let Some(promise) = answer["promise"].get("admissible") else { continue };
+        assert_eq!(promise, "certified", "{name}");
+        falling += usize::from(answer["admissibility"].as_str().unwrap().contains("enclosures of the gap"));
+    }
+    assert_eq!(falling, 5);
+}
+
 /// `MDR_GOLDENS=overwrite` writes them anew.
 #[test]
 fn answers_in_f64_are_the_same_in_every_build() {

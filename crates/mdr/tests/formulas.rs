@@ -31,17 +31,23 @@ fn dip(s: &str) -> String {
 #[test]
 fn no_state_beside_a_narrow_dip_is_called_admissible() {
     for s in ["5e-4", "1e-6", "1e-9"] {
-        for arithmetic in ["arithmetic = \"f64\"", "digits = 5"] {
+        let answer = |arithmetic: &str| {
             let rest = format!("output = {{ want = [\"equilibria\"], equilibria.at = [0], {arithmetic} }}");
-            let answer = solved(&formula(&dip(s), &rest));
-            for state in answer["equilibria"][0]["equilibria"].as_array().unwrap() {
-                assert!(state["admissible"] != true, "{answer}");
-                assert!(state["admissible"] == false || state["why"].as_str().unwrap().contains("formula"), "{answer}");
-            }
-            assert!(answer["admissibility"].as_str().unwrap().contains("not decided"), "{answer}");
-            let width = answer["admissibility_resolved_width"].as_f64().unwrap();
-            assert!(width > 1e-6 && width < 10.0, "{width}");
+            solved(&formula(&dip(s), &rest))
+        };
+        let searched = answer("arithmetic = \"f64\"");
+        for state in searched["equilibria"][0]["equilibria"].as_array().unwrap() {
+            assert!(state["admissible"] != true, "{searched}");
+            assert!(state["admissible"] == false || state["why"].as_str().unwrap().contains("formula"), "{searched}");
         }
+        assert!(searched["admissibility"].as_str().unwrap().contains("not decided"), "{searched}");
+        let width = searched["admissibility_resolved_width"].as_f64().unwrap();
+        assert!(width > 1e-6 && width < 10.0, "{width}");
+        // Enclosures of the gap prove it.
+        let proved = answer("digits = 5");
+        let states = proved["equilibria"][0]["equilibria"].as_array().unwrap();
+        assert!(!states.is_empty() && states.iter().all(|state| state["admissible"] == false), "{proved}");
+        assert_eq!(proved["promise"]["admissible"], "certified", "{proved}");
     }
 }
 

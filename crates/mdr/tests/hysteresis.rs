@@ -20,6 +20,8 @@ fn scene(profile: &str, works: [&str; 2], control: &str, output: &str) -> Result
 const BALL: &str = "kind = \"paraboloid\"\nradius = 1";
 const WAVY: &str = "kind = \"wavy-paraboloid\"\nradius = 1\namplitude = \"5e-4\"\nwavelength = \"0.1\"";
 
+const FRUSTUM: &str = "kind = \"truncated-cone\"\nslope = \"0.1\"\nflat = \"0.1\"";
+
 fn path(scene: &Scene) -> LoadingPath {
     scene.solve().unwrap().path().unwrap().clone()
 }
@@ -82,13 +84,22 @@ fn balance_is_exact() {
         (WAVY, ["2e-5", "1e-4"], machine, "[\"-0.01\", \"0.02\", \"0.005\", \"0.02\", \"-0.05\"]"),
         ("kind = \"cone\"\nslope = \"1/10\"", ["1e-4", "2e-4"], grips, "[\"-0.1\", \"0.01\", \"-0.1\"]"),
         ("kind = \"power\"\nn = 4\nc = 1", ["1e-4", "2e-4"], grips, "[\"-0.1\", \"0.01\", \"0\"]"),
+        // Pulled off from the edge of its face, a kink.
+        (FRUSTUM, ["1e-5", "1e-4"], grips, "[\"-0.05\", \"0.02\", \"-0.05\"]"),
+        (FRUSTUM, ["1e-5", "1e-4"], machine, "[\"-0.1\", \"0.05\", \"-0.1\"]"),
     ] {
-        let found = path(&scene(profile, works, &format!("{control}path = {way}"), "want = [\"path\"]").unwrap());
-        assert_eq!(found.events.promise, Promise::Certified, "{profile} {way}");
+        let scene = scene(profile, works, &format!("{control}path = {way}"), "want = [\"path\"]").unwrap();
+        let searched = path(&scene.clone().arithmetic(Arithmetic::F64)).balance.unwrap();
+        let found = path(&scene);
+        assert_eq!((found.events.promise, found.energy), (Promise::Certified, None), "{profile} {way}");
         let balance = found.balance.unwrap();
         let number = |value: &Value| value.to_f64().unwrap();
         let part = |value: &Optional| number(value.0.as_ref().unwrap());
         let (jumps, hysteresis) = (part(&balance.jumps), part(&balance.hysteresis));
+        // By other integrals, in doubles.
+        for (one, other) in [(jumps, part(&searched.jumps)), (hysteresis, part(&searched.hysteresis))] {
+            assert!((one - other).abs() <= 1e-10 * (jumps + hysteresis), "{profile} {way}: {one}, {other}");
+        }
         let [work, lost, stored] = [&balance.work, &balance.dissipated, &balance.stored].map(number);
         assert!((lost - jumps - hysteresis).abs() <= 4e-16 * lost, "{profile} {way}");
         assert!((work - lost - stored).abs() <= 4e-16 * (lost + stored.abs()), "{profile} {way}");

@@ -78,6 +78,9 @@ impl<R: Special> ClosedForm<R> for ParabolicDimple<R> {
     fn rises(&self) -> bool {
         false
     }
+    fn rises_beyond(&self, x: &R) -> bool {
+        *x >= self.radius
+    }
     fn g_at(&self, x: &R) -> R {
         match Edge::at(x, &self.radius) {
             None => {
@@ -153,6 +156,9 @@ impl<R: Special> EllipticalDimple<R> {
 impl<R: Special> ClosedForm<R> for EllipticalDimple<R> {
     fn rises(&self) -> bool {
         false
+    }
+    fn rises_beyond(&self, x: &R) -> bool {
+        *x >= self.radius
     }
     fn g_at(&self, x: &R) -> R {
         if x < &self.radius {

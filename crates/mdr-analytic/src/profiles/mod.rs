@@ -66,6 +66,10 @@ trait ClosedForm<R: Special>: Scale {
     fn rises(&self) -> bool {
         true
     }
+    /// Whether g is nondecreasing from a radius on.
+    fn rises_beyond(&self, _x: &R) -> bool {
+        self.rises()
+    }
     /// The radius at which its formula changes.
     fn edge(&self) -> Option<&R> {
         None
@@ -121,6 +125,9 @@ macro_rules! transform {
             }
             fn rises(&self) -> bool {
                 ClosedForm::rises(self)
+            }
+            fn rises_beyond(&self, x: &R) -> bool {
+                ClosedForm::rises_beyond(self, x)
             }
             fn kink(&self, index: usize, margin: &R) -> mdr_core::contact::Result<Option<mdr_core::contact::Kink<R>>> {
                 Ok(if index == 0 { self.at_edge(margin) } else { None })

@@ -118,6 +118,9 @@ impl<R: Special> Transform<R> for Sum<R> {
     fn rises(&self) -> bool {
         self.terms.iter().all(|term| term.rises())
     }
+    fn rises_beyond(&self, x: &R) -> bool {
+        self.terms.iter().all(|term| term.rises_beyond(x))
+    }
     fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
         let Some(edge) = self.edges().into_iter().nth(index).or_else(|| self.end()) else { return Ok(None) };
         let mut sum: Option<Kink<R>> = None;

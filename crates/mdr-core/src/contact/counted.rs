@@ -239,6 +239,10 @@ impl<R: Real> Transform<R> for CountingTransform<R> {
         self.inner.rises()
     }
 
+    fn rises_beyond(&self, x: &R) -> bool {
+        self.inner.rises_beyond(x)
+    }
+
     fn work(&self) -> u64 {
         self.inner.work()
     }

@@ -84,6 +84,11 @@ pub trait Transform<R: Real>: Send + Sync {
         false
     }
 
+    /// Whether g is known to be nondecreasing from a radius on, as beyond the edge of a dimple.
+    fn rises_beyond(&self, _x: &R) -> bool {
+        self.rises()
+    }
+
     /// The cost of all evaluations so far beyond their number, in heights f(r), as it is counted in a budget. 0 where an
     /// evaluation is a closed form.
     fn work(&self) -> u64 {
@@ -150,6 +155,10 @@ macro_rules! forward {
 
             fn rises(&self) -> bool {
                 (**self).rises()
+            }
+
+            fn rises_beyond(&self, x: &R) -> bool {
+                (**self).rises_beyond(x)
             }
 
             fn work(&self) -> u64 {

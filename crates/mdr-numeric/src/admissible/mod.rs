@@ -16,6 +16,8 @@
 
 mod extrema;
 mod gap;
+#[cfg(feature = "mp")]
+mod proved;
 mod refine;
 
 use std::sync::Arc;
@@ -51,14 +53,18 @@ pub(crate) use refine::{lost_roughly, proved_touch};
 /// assert!(gap < 0.0 && radius > 0.08 && radius < 0.12); // at the next crest
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
+#[derive(Clone)]
 pub struct Admissibility {
-    terrain: Option<Terrain>,
+    terrain: Option<Arc<Terrain>>,
     /// For a formula or a function, whose narrow dips the search may miss.
     touch: Option<FirstTouch>,
     /// Why nothing is known.
     unknown: Option<&'static str>,
     /// Whether the extrema of g are proved to be all.
     isolated: bool,
+    /// By which each verdict is proved.
+    #[cfg(feature = "mp")]
+    gaps: Option<Arc<crate::proof::EnclosedGaps>>,
 }
 
 /// Where the separated surfaces of a formula first touch, as far as enclosures of f decide it.
@@ -127,6 +133,8 @@ pub enum GapVerdict {
 pub enum Basis {
     /// The form of the profile: its g is nondecreasing.
     Bound,
+    /// The gap was enclosed everywhere outside the contact, for each state that is decided.
+    Proved,
     /// The extrema of g were isolated by enclosures, each one proved and none missed.
     Isolated,
     /// The extrema of g were searched in double precision, and g was resolved everywhere.
@@ -153,23 +161,29 @@ impl Admissibility {
         if transform.rises() {
             return Self::of_rising();
         }
-        Admissibility { terrain: Some(Terrain::new(transform, radii)), touch: None, isolated: false, unknown: None }
+        Admissibility { terrain: Some(Arc::new(Terrain::new(transform, radii))), ..Self::of_rising() }
     }
 
     /// For a transformed formula or function of which nothing else is proved. The extrema are searched as by [`Admissibility::new`], but
     /// interpenetrations that the search does not find may exist.
     pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
         Admissibility {
-            terrain: Some(Terrain::new(transform, radii)),
+            terrain: Some(Arc::new(Terrain::new(transform, radii))),
             touch: Some(touch),
-            isolated: false,
-            unknown: None,
+            ..Self::of_rising()
         }
     }
 
     /// For a profile with nondecreasing g: every state is admissible.
-    pub fn of_rising() -> Self {
-        Admissibility { terrain: None, touch: None, isolated: false, unknown: None }
+    pub const fn of_rising() -> Self {
+        Admissibility {
+            terrain: None,
+            touch: None,
+            unknown: None,
+            isolated: false,
+            #[cfg(feature = "mp")]
+            gaps: None,
+        }
     }
 
     /// For a profile on a medium on which the gap outside a contact is not searched: nothing is known of any state.
@@ -188,25 +202,10 @@ impl Admissibility {
         matches!(first_touch_roughly(self), Ok(None))
     }
 
-    /// For a transform whose g falls nowhere, which is proved by enclosures: every state is admissible on any medium.
-    #[cfg(feature = "mp")]
-    pub fn of_proved_rise() -> Self {
-        Admissibility { isolated: true, ..Self::of_rising() }
-    }
-
     /// A shared [`Admissibility`] for profiles with nondecreasing g: every state is admissible.
     pub fn rising() -> &'static Admissibility {
-        static RISING: Admissibility = Admissibility { terrain: None, touch: None, isolated: false, unknown: None };
+        static RISING: Admissibility = Admissibility::of_rising();
         &RISING
-    }
-
-    /// For a transform whose extrema between two radii are proved to be all, g rising beyond; what is known of the first touch
-    /// stays. The gap between them is computed in doubles.
-    #[cfg(feature = "mp")]
-    #[must_use]
-    pub fn with_extrema(&self, transform: Arc<dyn Transform<f64>>, extrema: &[f64], range: [f64; 2]) -> Self {
-        let terrain = Terrain::of_extrema(transform, extrema, range);
-        Admissibility { terrain: Some(terrain), touch: self.touch.clone(), isolated: true, unknown: None }
     }
 
     /// For a transformed profile in any arithmetic, evaluated there and rounded.
@@ -221,6 +220,10 @@ impl Admissibility {
 
     /// The basis of the verdicts.
     pub fn basis(&self) -> Basis {
+        #[cfg(feature = "mp")]
+        if self.gaps.is_some() {
+            return Basis::Proved;
+        }
         match &self.terrain {
             None if self.unknown.is_some() => Basis::Doubtful,
             None if self.isolated => Basis::Isolated,

@@ -170,7 +170,7 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
         let Some(rest) = state.contact().filter(|rest| rest.contact_radius > rest.contact_radius.lit(0)) else {
             return Ok(true);
         };
-        let Some(overlap) = self.overlap(rest) else { return Ok(true) };
+        let Some(overlap) = self.overlap(rest)? else { return Ok(true) };
         let last = self.events.last().and_then(|event| event.after.contact());
         let from = last.map_or(rest.contact_radius.lit(0), |last| last.contact_radius.clone());
         let last = if from < rest.contact_radius {
@@ -205,7 +205,7 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     /// state must be admissible, and on the way the edge must nowhere be in compression, g − d < −Δl, where growth
     /// requires energy. Otherwise the path ends.
     pub(super) fn may_rest(&mut self, value: &R, from: &R, rest: &Equilibrium<R>) -> Result<bool> {
-        let mut obstacle = self.overlap(rest);
+        let mut obstacle = self.overlap(rest)?;
         let indentation = rest.indentation.approx();
         for dip in self.branches.admissibility().dips(from.approx(), rest.contact_radius.approx(), indentation) {
             let radius = R::from_f64(value.ctx(), dip);
@@ -225,12 +225,12 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
     }
 
     /// The ring on which the surfaces would interpenetrate outside a contact.
-    pub(super) fn overlap(&self, rest: &Equilibrium<R>) -> Option<Ring<R>> {
+    pub(super) fn overlap(&self, rest: &Equilibrium<R>) -> Result<Option<Ring<R>>> {
         let number = |x: f64| R::from_f64(rest.contact_radius.ctx(), x);
-        match self.branches.admissibility().of(rest.contact_radius.approx(), rest.indentation.approx()) {
+        Ok(match self.branches.verdict(rest)? {
             GapVerdict::Interpenetrating { radius, gap } => Some(Ring { radius: number(radius), gap: number(gap) }),
             GapVerdict::Admissible | GapVerdict::Undecided(_) => None,
-        }
+        })
     }
 
     /// Records in the last event where the surfaces meet.

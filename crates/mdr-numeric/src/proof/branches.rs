@@ -11,7 +11,7 @@ use rug::float::Round;
 
 use super::overlap::Outside;
 use super::{Continuation, EnclosedCurve, ProvedFolds, kinks};
-use crate::admissible::{self, Admissibility, GapVerdict, Ring, Touch};
+use crate::admissible::{self, Admissibility, Basis, GapVerdict, Ring, Touch};
 use crate::branch::{self, EquilibriumBranches, FirstContact};
 
 /// Where admissibility is lost, before it is proved, relative to the contact radius.
@@ -208,16 +208,26 @@ impl ProvedBranches {
         Ok(self.equilibrium(radius, d, force, value, stability))
     }
 
-    /// The enclosure after a step of the interval Newton operator, if the slope has a certain sign.
-    fn narrowed(&self, radius: Interval, value: &Interval) -> Result<Interval> {
-        let middle = radius.midpoint();
-        let at_middle = self.direction(&middle, value)?;
+    /// The enclosure after steps of the interval Newton operator, as long as they more than halve it and the slope has a certain sign.
+    ///
+    /// The search for a sign change may leave one of its ends far away.
+    fn narrowed(&self, mut radius: Interval, value: &Interval) -> Result<Interval> {
         let held = Dual::constant(value.clone());
-        let slope = match self.curve.dual.direction_at(&Dual::variable(radius.clone()), &held) {
-            Err(Error::Domain { .. }) => return Ok(radius),
-            direction => direction?.slope,
-        };
-        Ok((middle - at_middle / slope).intersect(&radius).unwrap_or(radius))
+        loop {
+            let middle = radius.midpoint();
+            let at_middle = self.direction(&middle, value)?;
+            let slope = match self.curve.dual.direction_at(&Dual::variable(radius.clone()), &held) {
+                Err(Error::Domain { .. }) => return Ok(radius),
+                direction => direction?.slope,
+            };
+            let Some(narrower) = (middle - at_middle / slope).intersect(&radius) else { return Ok(radius) };
+            let width = |set: &Interval| Float::with_val(set.upper().prec(), set.upper() - set.lower());
+            let (before, after) = (width(&radius), width(&narrower));
+            radius = narrower;
+            if after.is_zero() || !(after * 2u32 <= before) {
+                return Ok(radius);
+            }
+        }
     }
 
     /// The last end visited from a given one, and the next if its direction of change is opposite.
@@ -295,7 +305,13 @@ impl EquilibriumBranches<Interval> for ProvedBranches {
         self.curve.plain.is_pushed_back(radius, value)
     }
 
-    /// In double precision: evidence, not proof.
+    fn verdict(&self, state: &Equilibrium<Interval>) -> Result<GapVerdict> {
+        let verdict = self.admissibility().decided(&state.contact_radius, &state.indentation);
+        let is_open = matches!(verdict, GapVerdict::Undecided(_)) && self.admissibility().basis() == Basis::Proved;
+        if is_open { Err(self.curve.undecided("whether a state is admissible")) } else { Ok(verdict) }
+    }
+
+    /// In double precision: evidence, not proof, unless it has enclosures of the gap.
     fn admissibility(&self) -> &Admissibility {
         let search = || Arc::new(Admissibility::rounded(&self.curve.plain, &self.folds));
         self.admissibility.get_or_init(search)

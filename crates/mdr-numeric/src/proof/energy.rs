@@ -10,6 +10,7 @@ use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle};
 use rug::Float;
 
 use super::continuation::{Continuation, Stretch, leg, up};
+use super::kinks::at_edge;
 use crate::contact::Contact;
 use crate::path::ContactState;
 
@@ -86,9 +87,24 @@ impl<'a> EnclosedEnergy<'a> {
 
     /// Π from ∫₀ᵃ g².
     fn with_square(&self, a: &Interval, d: &Interval, square: &Interval) -> Result<Interval> {
-        let mean = self.contact.transform().mean(a)?;
+        let mean = self.mean(a)?;
         let elastic = (d.clone() * (d.clone() - mean.times(2)) * a + square) * self.contact.modulus();
         Ok(elastic - a.square() * a.pi() * self.contact.adhesion().work())
+    }
+
+    /// (1/a) ∫₀ᵃ g dx. From a kink to a radius that is not told apart from it g changes its mean by its range there at most.
+    fn mean(&self, a: &Interval) -> Result<Interval> {
+        let beside = match self.contact.transform().mean(a) {
+            Err(error @ Error::Domain { .. }) => at_edge(self.contact, a)?.ok_or(error)?,
+            mean => return mean,
+        };
+        let [edge, _, mean] = beside;
+        if edge.is_same(a) || self.contact.vertical_edge().is_some_and(|outer_edge| outer_edge.overlaps(a)) {
+            return Ok(mean);
+        }
+        let g = self.profile.range(&a.hull(&edge)).ok_or_else(|| unproved(a))?;
+        let change = (g.abs() + mean.abs()) * (a.clone() - &edge).abs() / a;
+        Ok(mean.inflate(&change))
     }
 
     /// ∫₀ᵃ g² dx for each a, in their order.
@@ -110,7 +126,9 @@ impl<'a> EnclosedEnergy<'a> {
             }
             while beyond < *end {
                 let kink = self.profile.breaks()[beyond].rounded(to.ctx());
-                total += &self.square_between(&from, &kink, beyond)?;
+                if !from.is_same(&kink) {
+                    total += &self.square_between(&from, &kink, beyond)?;
+                }
                 (from, beyond) = (kink, beyond + 1);
             }
             if !from.is_same(to) {

@@ -19,6 +19,7 @@ use rug::Float;
 
 use super::continuation::{Continuation, Stretch, leg};
 use super::energy::{all_over_unit_interval, located, over_unit_interval, unproved};
+use super::kinks::at_edge;
 use crate::contact::Contact;
 
 /// The radius, over that of the contact, up to which g' is looked at for a tip where the pressure is infinite.
@@ -69,7 +70,8 @@ impl<'a> EnclosedFields<'a> {
         }
         let d = state.indentation.clone();
         let edge = if contact.vertical_edge().is_some_and(|outer_edge| outer_edge.overlaps(&a)) {
-            contact.transform().g(&a)? - &d
+            let [_, g, _] = at_edge(contact, &a)?.ok_or_else(|| unproved(&a))?;
+            g - &d
         } else {
             contact.elongation(&a)
         };
@@ -182,7 +184,8 @@ impl<'a> EnclosedFields<'a> {
     }
 }
 
-/// dᵏ/dcᵏ c ∫₀^{π/2} sinθ f(a sinθ)/(c² + a² cos²θ) dθ for k from 0 to `order` ≤ 2, where c² = r² − a², at r > a.
+/// dᵏ/dcᵏ c ∫₀^{π/2} sinθ f(a sinθ)/(c² + a² cos²θ) dθ for k from 0 to `order` ≤ 2, where c² = r² − a², at r > a. A contact may end at
+/// a kink, to as many bits as that is known.
 ///
 /// # Errors
 /// [`Error::Unproved`] where an integral takes too many pieces.
@@ -191,16 +194,36 @@ pub(super) fn moments(profile: &Continuation, a: &Interval, r: &Interval, order:
     let breaks = profile.breaks();
     let inside = breaks.partition_point(|b| b.upper() < a.lower());
     let angle = |b: &Interval| Special::asin(&(b.rounded(a.ctx()) / a));
-    let ends = breaks[..inside].iter().map(angle).chain([a.pi().over(2)]);
+    let quarter = a.pi().over(2);
+    let at_edge = breaks.get(inside).filter(|b| b.overlaps(a));
+    let last = at_edge.map_or_else(|| quarter.clone(), |b| last_before(b, a));
+    let ends = breaks[..inside].iter().map(angle).chain([last.clone()]);
     let (mut from, mut sums) = (a.lit(0), vec![a.lit(0); order + 1]);
+    let kernel = |beyond: usize, from: &Interval, to: &Interval| {
+        let (from, width) = (from.clone(), to.clone() - from);
+        Kernel { profile, a, c: &c, order, beyond, from, width }
+    };
     for (beyond, to) in ends.enumerate() {
-        let (start, width) = (from.clone(), to.clone() - &from);
-        let kernel = Kernel { profile, a, c: &c, order, beyond, from: start, width };
-        let parts = all_over_unit_interval(&kernel, a.precision()).map_err(|error| located(error, r))?;
+        let parts = all_over_unit_interval(&kernel(beyond, &from, &to), a.precision());
+        let parts = parts.map_err(|error| located(error, r))?;
         sums.iter_mut().zip(&parts).for_each(|(sum, part)| *sum += part);
         from = to;
     }
+    if at_edge.is_some() {
+        // Either part of f, up to the edge.
+        let all = a.lit(0).hull(&a.lit(1));
+        let [before, after] = [inside, inside + 1].map(|beyond| kernel(beyond, &last, &quarter).at(&all));
+        let (Some(before), Some(after)) = (before, after) else { return Err(unproved(r)) };
+        sums.iter_mut().zip(before.iter().zip(&after)).for_each(|(sum, (one, other))| *sum += &one.hull(other));
+    }
     Ok(sums)
+}
+
+/// An angle up to which a sinθ is below a kink b that cannot be told apart from a.
+fn last_before(b: &Interval, a: &Interval) -> Interval {
+    let share = Interval::point(b.lower().clone()).rounded(a.ctx()) / Interval::point(a.upper().clone());
+    let angle = Special::asin(&Interval::point(share.lower().clone()).lesser(&a.lit(1)));
+    Interval::point(angle.lower().clone())
 }
 
 /// sinθ f(a sinθ) dθ/dt times derivatives of c/(c² + a² cos²θ): with A = a² cos²θ these are (A − c²)/(c² + A)² and

@@ -8,6 +8,7 @@ use rug::Float;
 use rug::float::Special;
 
 use super::{EnclosedCurve, ProvedCell, ProvedFolds, Trend};
+use crate::contact::Contact;
 
 /// Relative distances 2^−k from a kink at which the range may be cut, in the order in which they are tried.
 pub(super) const MARGINS: [u32; 4] = [6, 12, 24, FINEST];
@@ -166,6 +167,19 @@ impl EnclosedCurve {
         let force = self.plain.stiffness(a) * (indentation.clone() - mean);
         Fold { contact_radius: a.clone(), indentation, force, kind }
     }
+}
+
+/// A kink or a vertical edge that cannot be told apart from a radius, with g and its mean there, which the transform has at numbers
+/// beside it only.
+pub(super) fn at_edge(contact: &Contact<Interval>, a: &Interval) -> Result<Option<[Interval; 3]>> {
+    let edges = contact.transform().kinks().into_iter().chain(contact.vertical_edge()).enumerate();
+    for (index, edge) in edges.filter(|(_, edge)| edge.overlaps(a)) {
+        let margin = edge.lit(2).powi(-i64::from(FINEST));
+        if let Some((g, mean)) = contact.transform().kink(index, &margin)?.and_then(|kink| kink.value) {
+            return Ok(Some([edge, g, mean]));
+        }
+    }
+    Ok(None)
 }
 
 impl Known {

@@ -17,6 +17,7 @@ mod energy;
 mod equator;
 mod extrema;
 mod fields;
+mod gaps;
 mod kinks;
 mod overlap;
 mod range;
@@ -27,6 +28,7 @@ pub use continuation::Continuation;
 pub use energy::{EnclosedEnergy, StoredEnergy};
 pub use extrema::rises_from;
 pub use fields::EnclosedFields;
+pub use gaps::EnclosedGaps;
 pub use range::range;
 
 use mdr_core::calculus::isolate::{Behaviour, isolate};

@@ -15,7 +15,7 @@
 use std::ops::RangeInclusive;
 
 use mdr_core::calculus::enclose::BOUND_BITS;
-use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
+use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability, Transform};
 use mdr_core::number::{Euler, Interval, Precision, Real, Special};
 use rug::Float;
 
@@ -46,14 +46,14 @@ pub(super) struct Outside<'a> {
 
 /// A contact radius and the indentation.
 #[derive(Clone)]
-struct Place {
-    a: Interval,
-    d: Interval,
+pub(super) struct Place {
+    pub(super) a: Interval,
+    pub(super) d: Interval,
 }
 
 impl Place {
     /// With the bits of bounds.
-    fn rough(&self) -> Place {
+    pub(super) fn rough(&self) -> Place {
         let rough = |number: &Interval| number.rounded(Precision::new(BOUND_BITS));
         Place { a: rough(&self.a), d: rough(&self.d) }
     }
@@ -87,8 +87,7 @@ impl Outside<'_> {
     /// The gap with two derivatives in r, over some parts of f, which go on beyond kinks.
     fn gap_over(&self, place: &Place, r: &Interval, parts: RangeInclusive<usize>) -> Result<[Interval; 3]> {
         let Place { a, d } = place;
-        let breaks = self.profile.breaks();
-        if !(r > a && self.profile.reaches(r)) || breaks.iter().any(|b| b.overlaps(a)) {
+        if !(r > a && self.profile.reaches(r)) {
             return Err(self.open(r));
         }
         let c = leg(r, a);
@@ -126,8 +125,12 @@ impl Outside<'_> {
 
     /// Whether the surfaces of an equilibrium certainly overlap at a radius.
     pub(super) fn overlaps(&self, a: &Interval, r: f64) -> Result<bool> {
-        let place = self.equilibrium(a.clone())?;
-        let [gap, ..] = self.gap(&place, &Interval::from_f64(a.ctx(), r))?;
+        self.is_closed(&self.equilibrium(a.clone())?, r)
+    }
+
+    /// Whether the gap at a radius is certainly negative.
+    pub(super) fn is_closed(&self, place: &Place, r: f64) -> Result<bool> {
+        let [gap, ..] = self.gap(place, &Interval::from_f64(place.a.ctx(), r))?;
         Ok(*gap.upper() < 0)
     }
 
@@ -260,7 +263,20 @@ impl Outside<'_> {
     /// Checks that the gap is open outside the neighbourhood of the ring, wherever g is below the indentation.
     fn check_elsewhere(&self, place: &Place, around: &Interval) -> Result<()> {
         let far = self.far(place, around)?;
-        let mut cells = vec![(around.upper().clone(), far), (place.a.upper().clone(), around.lower().clone())];
+        let cells = vec![(around.upper().clone(), far), (place.a.upper().clone(), around.lower().clone())];
+        self.check_cells(place, cells)
+    }
+
+    /// Checks that the gap is open everywhere outside the contact, up to the end of the profile, wherever g is below the indentation.
+    pub(super) fn check_everywhere(&self, place: &Place) -> Result<()> {
+        let far = match self.contact.transform().outer_radius() {
+            Some(outer) => outer.rounded(place.a.ctx()).upper().clone(),
+            None => self.far(place, &place.a)?,
+        };
+        self.check_cells(place, vec![(place.a.lower().clone(), far)])
+    }
+
+    fn check_cells(&self, place: &Place, mut cells: Vec<(Float, Float)>) -> Result<()> {
         for _ in 0..CELLS {
             let Some((from, to)) = cells.pop() else { return Ok(()) };
             let cell = Interval::new(from.clone(), to.clone());
@@ -276,13 +292,19 @@ impl Outside<'_> {
             let middle = Float::with_val(BOUND_BITS, (from.clone() * &to).sqrt_ref());
             cells.extend([(middle.clone(), to), (from, middle)]);
         }
-        Err(self.open(around))
+        Err(self.open(&place.a))
     }
 
-    /// Whether g is certainly above d on a cell.
+    /// Whether g is certainly not below d on a cell.
     fn is_above(&self, cell: &Interval, d: &Interval) -> bool {
-        let g = self.contact.transform().g(cell);
-        g.is_ok_and(|g| g.lower() >= d.upper())
+        let transform = self.contact.transform();
+        if transform.g(cell).is_ok_and(|g| g.lower() >= d.upper()) {
+            return true;
+        }
+        let kinks = transform.kinks();
+        let mut within = kinks.iter().enumerate().filter(|(_, kink)| kink.overlaps(cell));
+        let (Some((index, kink)), None) = (within.next(), within.next()) else { return false };
+        least_beside(transform, index, kink, cell).is_some_and(|least| least.lower() >= d.upper())
     }
 
     /// Whether the gap is certainly open on a cell outside the contact.
@@ -341,6 +363,23 @@ impl Outside<'_> {
         }
         false
     }
+}
+
+/// A lower bound of g on a cell that holds one kink, from g there and the slopes on both sides.
+fn least_beside(
+    transform: &dyn Transform<Interval>,
+    index: usize,
+    kink: &Interval,
+    cell: &Interval,
+) -> Option<Interval> {
+    let [before, after] = [cell.lower(), cell.upper()].map(|end| (Interval::point(end.clone()) - kink).abs());
+    let margin = (before.greater(&after) / kink).upper().clone();
+    let known = transform.kink(index, &Interval::point(margin)).ok()??;
+    let (g, _) = known.value?;
+    let zero = g.lit(0);
+    let inside = g.clone() - known.inside.greatest?.greater(&zero) * before;
+    let outside = g + known.outside.least?.lesser(&zero) * after;
+    Some(inside.lesser(&outside))
 }
 
 #[cfg(test)]

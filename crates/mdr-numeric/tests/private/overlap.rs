@@ -8,7 +8,7 @@ use super::super::energy::all_over_unit_interval;
 use super::super::energy::tests::Dropped;
 use super::super::fields::Kernel;
 use super::*;
-use crate::proof::EnclosedFields;
+use crate::proof::{EnclosedFields, EnclosedGaps};
 use crate::transform::Enclosed;
 
 struct Case {
@@ -139,4 +139,47 @@ fn the_last_admissible_state_beside_a_dip_is_proved() {
     assert!(state.contact_radius.accuracy_bits() > 60 && ring.radius.accuracy_bits() > 40);
     assert!(!outside.overlaps(&Interval::from_f64(Precision::new(100), 0.253), 0.488).expect("a gap"));
     assert!(outside.overlaps(&Interval::from_f64(Precision::new(100), 0.254), 0.488).expect("a gap"));
+}
+
+#[test]
+fn verdicts_hold_up_to_the_state_in_which_the_gap_closes() {
+    let dip = "r^2/2 - 0.3*r^2*exp(-((r - 0.5)/0.1)^2)";
+    for (formula, work, rough) in [(CASES[0].0, CASES[0].1, [0.0923, 0.123]), (dip, "1e-6", [0.2531, 0.4885])] {
+        let Case { contact, profile } = case(formula, work, 100);
+        let (state, ring) = Outside { contact: &contact, profile: &profile }.last_admissible(rough).expect("a proof");
+        let gaps = EnclosedGaps::new(contact.clone(), Some(profile)).expect("a half-space");
+        let beside = |shift: f64| {
+            let a = Interval::point(Float::with_val(100, state.contact_radius.mid() * (1.0 + shift)));
+            let d = contact.indentation(&a).expect("a state");
+            [gaps.are_open(&a, &d), gaps.is_closed(&a, &d, ring.radius.approx())]
+        };
+        for shift in [1e-9, 1e-6, 1e-3] {
+            assert_eq!((beside(-shift), beside(shift)), ([true, false], [false, true]), "{formula}, {shift}");
+        }
+        // An enclosure that holds states of both kinds is neither.
+        let both = state.contact_radius.clone().inflate(&Interval::from_f64(Precision::new(100), 1e-9));
+        let d = contact.indentation(&both).expect("states");
+        assert!(!gaps.are_open(&both, &d) && !gaps.is_closed(&both, &d, ring.radius.approx()), "{formula}");
+    }
+}
+
+/// A fold may be at a kink: the contact ends there, and f is one part or the next.
+#[test]
+fn gaps_of_a_contact_that_ends_at_a_kink_are_enclosed() {
+    let of = |a: &str, bits: u32| {
+        let Case { contact, profile } = case(CASES[0].0, CASES[0].1, bits);
+        let number = |text: &str| Interval::from_literal(Precision::new(bits), &text.parse().expect("a number"));
+        let place = Place { a: number(a), d: number("0.0092") };
+        let outside = Outside { contact: &contact, profile: &profile };
+        let [gap, slope, bend] = outside.gap(&place, &number("0.128")).expect("a gap");
+        let gaps = EnclosedGaps::new(contact.clone(), Some(case(CASES[0].0, CASES[0].1, bits).profile));
+        let is_closed = gaps.expect("a half-space").is_closed(&place.a, &place.d, 0.128);
+        ([gap, slope, bend], is_closed)
+    };
+    let (at_kink, is_closed) = of("0.1", 64);
+    assert!(is_closed && at_kink[0].accuracy_bits() > 20, "{}", at_kink[0]);
+    let [(inside, _), (outside, _)] = ["0.099999999999999999999999", "0.100000000000000000000001"].map(|a| of(a, 160));
+    for (found, (inside, outside)) in at_kink.iter().zip(inside.iter().zip(&outside)) {
+        assert!(found.overlaps(inside) && found.overlaps(outside), "{found}, {inside}, {outside}");
+    }
 }

@@ -61,7 +61,7 @@ fn promises(answer: &Answer) -> Vec<(&'static str, &'static str)> {
         promises.push((output.kind().name(), output.promise()));
         promises.extend(output.exceptions());
     }
-    let of_basis = |basis| if basis == Basis::Bound { answer.promise() } else { Promise::F64 };
+    let of_basis = |basis| if matches!(basis, Basis::Bound | Basis::Proved) { answer.promise() } else { Promise::F64 };
     promises.extend(answer.admissibility.map(|basis| ("admissible", of_basis(basis))));
     promises.extend(answer.validity.as_ref().map(|validity| ("validity", validity.promise())));
     promises.into_iter().map(|(field, promise)| (field, promise.name())).collect()

@@ -84,6 +84,10 @@ pub fn described(basis: Basis) -> Cow<'static, str> {
         Basis::Bound => {
             "every state is, by the form of the profile: its g falls nowhere, so that no gap closes outside of a contact"
         }
+        Basis::Proved => {
+            "decided from enclosures of the gap everywhere outside of the contact: of each state that is called admissible, or not, \
+             this is proved"
+        }
         Basis::Isolated => {
             "decided from the extrema of g, which were isolated by enclosures and are proved to be all, and from the gap, in f64, \
              wherever g is below the indentation"

@@ -26,6 +26,7 @@ use crate::solve::digits::agree;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::sample;
 use crate::solve::search::{self, Search};
+use crate::solve::verdict;
 
 /// The stability of a state on the curve, or the reason why it is not decided.
 #[derive(Clone, Debug, PartialEq)]
@@ -161,7 +162,7 @@ fn points<R: SceneReal>(
             }
             Err(error) => Value::from_result(Err(error))?,
         };
-        let verdict = indentation.as_ref().ok().map(|d| admissibility.of(a.approx(), d.approx()));
+        let verdict = indentation.as_ref().ok().map(|d| verdict(admissibility, &a, d));
         Ok(CurvePoint {
             contact_radius: literal.clone(),
             indentation: model.depth(Value::from_result(indentation)?),

@@ -25,6 +25,8 @@ use crate::solve::model::SceneReal;
 use crate::solve::search::{self, Search};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
+use crate::solve::verdict;
+#[cfg(feature = "mp")]
 use crate::{
     answer::{List, Promise},
     scene::Scene,
@@ -162,7 +164,7 @@ fn of_proved(
         (Stability::Neutral, Control::Force) => Ok(Rational::new().into()),
         _ => EnclosedFields::new(&proved.contact, &proved.profile, state)?.stiffness().map(Enclosure::from),
     };
-    let verdict = certified.admissibility()?.of(state.contact_radius.approx(), state.indentation.approx());
+    let verdict = verdict(&*certified.admissibility()?, &state.contact_radius, &state.indentation);
     Ok(EnergyState {
         state: record,
         energy: Value::Known(energy.into()),

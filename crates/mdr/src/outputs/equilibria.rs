@@ -24,6 +24,7 @@ use crate::scene::Scene;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
 use crate::solve::states::States;
+use crate::solve::verdict;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
@@ -156,7 +157,7 @@ fn judged<R: SceneReal>(
     state: contact::Equilibrium<R>,
     admissibility: &Admissibility,
 ) -> Equilibrium<R> {
-    let verdict = admissibility.of(state.contact_radius.approx(), state.indentation.approx());
+    let verdict = verdict(admissibility, &state.contact_radius, &state.indentation);
     let state = Equilibrium::new(model.shown(state), verdict);
     Equilibrium { indentation: model.depth(state.indentation), ..state }
 }

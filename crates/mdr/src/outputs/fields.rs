@@ -19,6 +19,8 @@ use crate::solve::model::SceneReal;
 use crate::solve::search::{self, Search};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
+use crate::solve::verdict;
+#[cfg(feature = "mp")]
 use crate::{
     solve::rigorous::{self, Proved},
     solve::{certified::Certified, power_law::PowerLaw},
@@ -178,7 +180,7 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
         let [states, at] = self.question();
         let items = rigorous::described(certified, states, |proved, state, record| {
             let fields = EnclosedFields::new(&proved.contact, &proved.profile, state)?;
-            let verdict = certified.admissibility()?.of(state.contact_radius.approx(), state.indentation.approx());
+            let verdict = verdict(&*certified.admissibility()?, &state.contact_radius, &state.indentation);
             Ok(FieldState {
                 samples: proved_samples::<F>(proved, &fields, at, &state.contact_radius)?,
                 admissible: F::proved_admission(verdict, &fields)?,

@@ -22,6 +22,7 @@ use crate::answer::{Number, Promise};
 use crate::scene::{Arithmetic, Scene};
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
+use crate::solve::verdict;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
@@ -153,7 +154,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
 /// A fold, and whether it is admissible.
 fn judged<R: SceneReal>(model: &Model<R>, fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
-    let verdict = admissibility.of(fold.contact_radius.approx(), fold.indentation.approx());
+    let verdict = verdict(admissibility, &fold.contact_radius, &fold.indentation);
     let contact_radius = model.contact_radius(&fold.contact_radius);
     let fold = Fold::new(contact::Fold { contact_radius, ..fold }, verdict);
     Fold { indentation: model.depth(fold.indentation), ..fold }

@@ -46,6 +46,12 @@ pub trait SceneReal: Struve + Kappa + GradedReal {
     fn of_formula(_: &Profile, _: &ExactMedium, _: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
         None
     }
+
+    /// The number as an enclosure, for proofs about a state; `None` in doubles, of which nothing is proved.
+    #[cfg(feature = "mp")]
+    fn enclosing(&self) -> Option<Interval> {
+        None
+    }
 }
 
 impl SceneReal for f64 {
@@ -65,11 +71,23 @@ impl SceneReal for rug::Float {
             crate::scene::Arithmetic::F64 => None,
         }
     }
+
+    /// With half of its digits, as an estimate.
+    fn enclosing(&self) -> Option<Interval> {
+        use mdr_core::number::Real;
+        let number = Interval::point(self.clone());
+        let width = number.lit(2).powi(-i64::from(self.prec() / 2)) * number.abs();
+        Some(number.inflate(&width))
+    }
 }
 
 #[cfg(feature = "mp")]
 impl SceneReal for Interval {
     const INDEX: usize = 2;
+
+    fn enclosing(&self) -> Option<Interval> {
+        Some(self.clone())
+    }
 
     fn of_formula(profile: &Profile, medium: &ExactMedium, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
         let boxed = |transform| Box::new(transform) as Box<dyn Transform<Self>>;

@@ -3,9 +3,19 @@
 use std::sync::Arc;
 
 use mdr_core::contact::Transform;
-use mdr_numeric::admissible::{Admissibility, FirstTouch, HeightSource, NOT_SEARCHED, search_range};
+use mdr_numeric::admissible::{Admissibility, FirstTouch, GapVerdict, HeightSource, NOT_SEARCHED, search_range};
 
+use super::model::SceneReal;
 use crate::scene::{ExactMedium, Profile, transform_in_doubles};
+
+/// Whether a contact of radius a at the indentation d is admissible: with a proof where the gap is enclosed.
+pub(crate) fn verdict<R: SceneReal>(admissibility: &Admissibility, a: &R, d: &R) -> GapVerdict {
+    #[cfg(feature = "mp")]
+    if let (Some(a), Some(d)) = (a.enclosing(), d.enclosing()) {
+        return admissibility.decided(&a, &d);
+    }
+    admissibility.of(a.approx(), d.approx())
+}
 
 /// Facts about a profile with a formula or a function in it.
 struct Known {

@@ -25,7 +25,7 @@ use crate::run::Counts;
 use crate::scene::Scene;
 
 /// Up to this many rows the folds of a table are proved, within some seconds: the cost grows with the square of the rows.
-const PROVED_ROWS: usize = 100;
+pub(super) const PROVED_ROWS: usize = 100;
 
 /// Answers a scene with certified digits. An f64 search supplies starting points and never contributes a digit.
 pub(crate) struct Certified<'s> {
@@ -55,7 +55,7 @@ impl<'s> Certified<'s> {
         once(&self.formulas, || Ok(proof::decided(Formulas::of(&self.scene.profile))?.flatten())).map(Option::as_ref)
     }
 
-    /// Which states are admissible: by the form of the profile, by the proved extrema of g of a formula, else in f64.
+    /// Which states are admissible: by the form of the profile, by enclosures of the gap, by proved extrema of g, else in f64.
     ///
     /// # Errors
     /// A parameter of the profile or the material that is out of its domain; see [`Certified::search`].
@@ -66,8 +66,14 @@ impl<'s> Certified<'s> {
                 return Ok(Arc::new(Admissibility::of_rising()));
             }
             let searched = self.search()?.admissibility();
-            let open = self.scene.is_by_integrals() && searched.basis() != Basis::Bound;
-            Ok(if open { proof::isolated(self, &searched)?.map_or(searched, Arc::new) } else { searched })
+            if searched.basis() == Basis::Bound {
+                return Ok(searched);
+            }
+            // A formula may rise, though its form does not say so; of a table the gap is not enclosed.
+            let by_extrema = self.scene.is_by_integrals() || self.scene.profile.rows().is_some();
+            let isolated = if by_extrema { proof::isolated(self, &searched)? } else { None };
+            let known = isolated.map_or(searched, Arc::new);
+            Ok(proof::gaps(self)?.map(|gaps| Arc::new(known.with_gaps(gaps))).unwrap_or(known))
         });
         found.cloned()
     }

@@ -71,7 +71,7 @@ use crate::scene::Arithmetic;
 use crate::scene::{Scene, Start, Want};
 use crate::validity;
 
-pub(crate) use admissible::on_medium;
+pub(crate) use admissible::{on_medium, verdict};
 pub use graded::GradedReal;
 pub(crate) use unused::unused;
 

@@ -4,11 +4,11 @@ use mdr_core::contact::{Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::admissible::Admissibility;
-use mdr_numeric::proof::{EnclosedCurve, ProvedFolds, rises_from};
+use mdr_numeric::proof::{EnclosedCurve, EnclosedGaps, ProvedFolds, rises_from};
 use rug::Float;
 use rug::float::Round;
 
-use super::certified::Certified;
+use super::certified::{Certified, PROVED_ROWS};
 use super::model::Model;
 use super::sample;
 use crate::answer::{Completeness, Number, Value};
@@ -105,6 +105,10 @@ const SEEN: f64 = 1e-9;
 /// # Errors
 /// Errors of the search for folds; a parameter out of its domain.
 pub(super) fn isolated(certified: &Certified<'_>, searched: &Admissibility) -> Result<Option<Admissibility>> {
+    let scene = certified.scene;
+    if !(scene.is_closed() || scene.is_enclosed()) || scene.profile.rows().is_some_and(|rows| rows > PROVED_ROWS) {
+        return Ok(None);
+    }
     let range = range(certified)?;
     let precision = Precision::new(ISOLATION);
     let curve = Enclosed::new(certified, precision)?.curve();
@@ -133,6 +137,27 @@ pub(super) fn isolated(certified: &Certified<'_>, searched: &Admissibility) -> R
     let extrema: Vec<f64> = extrema.iter().map(|extremum| extremum.mid().to_f64()).collect();
     let range = [lower.lower(), upper.upper()].map(Float::to_f64);
     Ok(Some(searched.with_extrema(transform, &extrema, range)))
+}
+
+/// Enclosures of the gap outside a contact on a half-space; `None` of a table.
+///
+/// # Errors
+/// Errors of the transform; a parameter out of its domain.
+pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
+    let scene = certified.scene;
+    if !scene.pressed_into().is_half_space() || !(scene.is_closed() || scene.is_enclosed()) {
+        return Ok(None);
+    }
+    if scene.profile.rows().is_some() {
+        return Ok(None);
+    }
+    let precision = Precision::new(ISOLATION);
+    let profile = match certified.formulas()? {
+        Some(formulas) => decided(formulas.continued(precision))?,
+        None => None,
+    };
+    let contact = Enclosed::new(certified, precision)?.value.contact();
+    EnclosedGaps::new(contact, profile).map(Some)
 }
 
 /// Why folds are all, or are not.

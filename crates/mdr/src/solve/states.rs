@@ -11,6 +11,7 @@ use mdr_numeric::folds::{Folds, SearchQuality};
 use mdr_numeric::path::{ContactState, Path};
 
 use super::model::{Model, SceneReal};
+use super::verdict;
 use crate::answer::AtValue;
 use crate::scene::Scene;
 
@@ -41,7 +42,7 @@ impl<'a, R: SceneReal> States<'a, R> {
 
     /// Whether a state is admissible.
     pub(crate) fn verdict(&self, state: &contact::Equilibrium<R>) -> GapVerdict {
-        self.admissibility().of(state.contact_radius.approx(), state.indentation.approx())
+        verdict(self.admissibility(), &state.contact_radius, &state.indentation)
     }
 
     /// All equilibria at a value of the controlled quantity, which they have exactly, and how they were searched.

@@ -127,7 +127,7 @@ impl<'e, 'a, R: Real, B: EquilibriumBranches<R>> Walk<'e, 'a, R, B> {
     /// The edge stays pinned up to `target`.
     fn rest(&mut self, pin: &Pin<R>, target: &Held<R>, order: Ordering, arrival: EventKind) -> Result<()> {
         let state = self.edges.pinned(&pin.radius, &target.number)?;
-        if order == Ordering::Greater && self.overlaps(&state) {
+        if order == Ordering::Greater && self.overlaps(&state)? {
             return Ok(());
         }
         self.record(arrival, Edge::Receding, &target.number, ContactState::Contact(state));
@@ -141,7 +141,7 @@ impl<'e, 'a, R: Real, B: EquilibriumBranches<R>> Walk<'e, 'a, R, B> {
         let position = pin.position(self.edges, edge)?;
         let state = self.edges.state(edge, &pin.radius)?;
         let state = state.controlled(self.edges.contact.control(), limit.number.clone());
-        if edge == Edge::Advancing && self.overlaps(&state) {
+        if edge == Edge::Advancing && self.overlaps(&state)? {
             return Ok(());
         }
         self.record(EventKind::Depinned, edge, &limit.number, ContactState::Contact(state.clone()));
@@ -181,9 +181,9 @@ impl<'e, 'a, R: Real, B: EquilibriumBranches<R>> Walk<'e, 'a, R, B> {
     }
 
     /// Whether the surfaces would overlap outside a contact whose edge is pinned; the path then ends in the last state.
-    fn overlaps(&mut self, state: &Equilibrium<R>) -> bool {
+    fn overlaps(&mut self, state: &Equilibrium<R>) -> Result<bool> {
         let mut follower = self.follower(Edge::Advancing, Position::Detached);
-        let ring = follower.overlap(state);
+        let ring = follower.overlap(state)?;
         if let Some(ring) = &ring {
             let value = self.value.number.clone();
             follower.leave(EventKind::NotAdmissible, &value);
@@ -191,7 +191,7 @@ impl<'e, 'a, R: Real, B: EquilibriumBranches<R>> Walk<'e, 'a, R, B> {
             self.place = Place::Ended;
         }
         self.events = follower.events;
-        ring.is_some()
+        Ok(ring.is_some())
     }
 
     /// An event without a change of state.

@@ -1,4 +1,4 @@
-//! The path between two works of adhesion over enclosures: every digit and every decision proved, except for its energies.
+//! The path between two works of adhesion over enclosures: every digit and every decision proved, and its energies on a half-space.
 
 use mdr_core::contact::{self, Control, Edge, Error, Result};
 use mdr_core::number::certify::Enclosure;
@@ -11,13 +11,13 @@ use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
 use super::proof::{ENOUGH, set_exact};
-use super::{LoadingPath, PathNumbers, edges, events, is_arrival};
+use super::{LoadingPath, PathNumbers, edges, edges_energies, events, is_arrival};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise};
 use crate::solve::certified::Certified;
-use crate::solve::digits::{agree, decide_from, guarded, raised, start};
+use crate::solve::digits::{MOST_OF_INTEGRALS, agree, decide_from, decide_within, guarded, raised, start};
 use crate::solve::model::Model;
-use crate::solve::proof::{Enclosed, FoldProof, decided};
+use crate::solve::proof::{Enclosed, FoldProof, decided, reached};
 
 /// The contact at the works of adhesion of an advancing and of a receding edge, each with all its folds.
 pub(super) struct Pair<'a, 's> {
@@ -73,6 +73,28 @@ impl Followed {
         };
         let shown = events::shown(&path, model.contact().medium());
         Ok(Followed { path, shown, folds: [finite(&outer), finite(&inner)], control, bits: precision.bits() })
+    }
+
+    /// Its energies over enclosures, each of them proved; `None` if one cannot be.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn proved_energy(&mut self, pair: &Pair<'_, '_>) -> Result<Option<PathNumbers<Number>>> {
+        let certified = pair.edges[1];
+        let scene = certified.scene;
+        if !scene.medium.is_half_space() {
+            return Ok(None);
+        }
+        let Some(formulas) = certified.formulas()? else { return Ok(None) };
+        let begin = Precision::new(self.bits);
+        reached(decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |precision| {
+            if self.bits < precision.bits() {
+                *self = Followed::new(pair, precision)?;
+            }
+            let model: Model<Interval> = certified.model(precision)?;
+            let profile = formulas.continued(precision)?;
+            edges_energies::of_path(&self.path, &scene.path, &model.at(Edge::Advancing).contact(), &profile)
+        }))
     }
 
     /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is

@@ -59,7 +59,7 @@ pub(super) fn of_path(
     Ok(PathNumbers { events, balance: balance.filter(|_| !lost_track) })
 }
 
-fn value(sum: StoredEnergy) -> Value<Enclosure> {
+pub(super) fn value(sum: StoredEnergy) -> Value<Enclosure> {
     Value::Known(sum.energy().map_or_else(|| Rational::new().into(), |energy| energy.clone().into()))
 }
 
@@ -70,7 +70,7 @@ fn is_unbounded(event: &Event<Interval>, contact: &Contact<Interval>) -> bool {
 }
 
 /// F(d₂ − d₁) of a dead load between two contacts; where the surfaces are apart on one side it is 0.
-fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> StoredEnergy {
+pub(super) fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> StoredEnergy {
     match (contact.control(), event.before.contact(), event.after.contact()) {
         (Control::Force, Some(before), Some(after)) => {
             ((after.indentation.clone() - &before.indentation) * &event.value).into()
@@ -81,7 +81,7 @@ fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> StoredEnergy
 
 /// Whether the path ends in the state in which it starts, at a way point with the same number: the enclosures of two equilibria at
 /// one value are the same only if these are.
-fn returns(path: &Path<Interval>, way: &[Literal]) -> bool {
+pub(super) fn returns(path: &Path<Interval>, way: &[Literal]) -> bool {
     let closed = way.first().zip(way.last()).is_some_and(|(first, last)| first.compare(last).is_eq());
     let [first, last] = [path.events.first(), path.events.last()].map(|event| event.map(|event| &event.after));
     let same = match (first, last) {
@@ -96,7 +96,7 @@ fn returns(path: &Path<Interval>, way: &[Literal]) -> bool {
 }
 
 /// An event with its energy alone.
-fn lost_in(kind: EventKind, dissipated: Option<Dissipation<Enclosure>>) -> PathEvent<Enclosure> {
+pub(super) fn lost_in(kind: EventKind, dissipated: Option<Dissipation<Enclosure>>) -> PathEvent<Enclosure> {
     PathEvent {
         event: kind,
         position: Optional(None),

@@ -16,6 +16,7 @@ use crate::answer::record::Numbers;
 use crate::answer::{Admission, Optional, Value};
 use crate::scene::Scene;
 use crate::solve::model::{Model, SceneReal};
+use crate::solve::verdict;
 
 /// The path of a scene.
 ///
@@ -77,7 +78,7 @@ fn admission<R: SceneReal>(event: &Event<R>, admissibility: &Admissibility) -> A
     }
     let in_contact = |state: &&contact::Equilibrium<R>| state.contact_radius > state.contact_radius.lit(0);
     Admission::of(match event.after.contact().or(event.before.contact()).filter(in_contact) {
-        Some(rest) => admissibility.of(rest.contact_radius.approx(), rest.indentation.approx()),
+        Some(rest) => verdict(admissibility, &rest.contact_radius, &rest.indentation),
         None => GapVerdict::Admissible,
     })
 }

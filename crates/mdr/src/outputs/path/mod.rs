@@ -2,6 +2,8 @@
 
 pub(crate) mod edges;
 #[cfg(feature = "mp")]
+mod edges_energies;
+#[cfg(feature = "mp")]
 mod edges_proof;
 #[cfg(feature = "mp")]
 mod energies;
@@ -429,7 +431,7 @@ pub(crate) fn with_edges<T>(
     use_them([&of(&advancing), &of(&receding)])
 }
 
-/// Proved where the folds of both edges are, except for the energy.
+/// Proved where the folds of both edges are; its energies where integrals with a proved remainder decide them.
 #[cfg(feature = "mp")]
 fn proved_between_edges(certified: &Certified<'_>) -> Result<Option<Output>> {
     with_edges(certified, |edges| {
@@ -437,9 +439,12 @@ fn proved_between_edges(certified: &Certified<'_>) -> Result<Option<Output>> {
             return Ok(None);
         };
         let pair = edges_proof::Pair { edges, folds: [advancing, receding] };
-        let Some((proved, followed)) = edges_proof::path(&pair)? else { return Ok(None) };
+        let Some((proved, mut followed)) = edges_proof::path(&pair)? else { return Ok(None) };
         if !has_energies(certified) {
             return Ok(Some(proved.into()));
+        }
+        if let Some(path) = followed.proved_energy(&pair)? {
+            return Ok(Some(proved.with_proved_energy_of(path).into()));
         }
         let path = match followed.with_energy(&pair) {
             Ok(path) => proved.with_energy_of(Promise::Estimated, path),
