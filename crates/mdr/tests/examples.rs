@@ -54,6 +54,27 @@ fn which_states_are_admissible_is_proved() {
     assert_eq!(falling, 5);
 }
 
+/// Up to the end of a profile g rises, as towards the equator of a sphere, where it diverges: no gap closes there.
+#[cfg(feature = "mp")]
+#[test]
+fn states_of_a_profile_that_ends_are_decided() {
+    for other in [
+        "kind = \"parabolic-dimple\", depth = \"1e-3\", radius = \"0.1\"",
+        "kind = \"wavy-paraboloid\", radius = 1, amplitude = \"5e-4\", wavelength = \"0.1\"",
+    ] {
+        let text = format!(
+            "material = {{ e_star = 1, work_of_adhesion = \"1e-5\" }}
+            profile = {{ kind = \"sum\", term = [{{ kind = \"sphere\", radius = 1 }}, {{ {other} }}] }}
+            control = {{ kind = \"indentation\" }}
+            output = {{ want = [\"folds\"] }}\n"
+        );
+        let scene = Scene::from_toml(&text, "scene.toml", &mdr::no_files).unwrap();
+        let answer: Json = serde_json::from_str(&scene.solve().unwrap().to_json()).unwrap();
+        assert_eq!(answer["promise"]["admissible"], "certified", "{other}");
+        assert_eq!(answer["folds"][0]["admissible"], true, "{answer}");
+    }
+}
+
 /// `MDR_GOLDENS=overwrite` writes them anew.
 #[test]
 fn answers_in_f64_are_the_same_in_every_build() {

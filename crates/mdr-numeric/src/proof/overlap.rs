@@ -301,6 +301,9 @@ impl Outside<'_> {
         if transform.g(cell).is_ok_and(|g| g.lower() >= d.upper()) {
             return true;
         }
+        if least_before_end(transform, cell).is_some_and(|least| least.lower() >= d.upper()) {
+            return true;
+        }
         let kinks = transform.kinks();
         let mut within = kinks.iter().enumerate().filter(|(_, kink)| kink.overlaps(cell));
         let (Some((index, kink)), None) = (within.next(), within.next()) else { return false };
@@ -363,6 +366,18 @@ impl Outside<'_> {
         }
         false
     }
+}
+
+/// A lower bound of g on a cell up to the end of the profile, or to where g diverges, on which it rises: g where the cell begins.
+fn least_before_end(transform: &dyn Transform<Interval>, cell: &Interval) -> Option<Interval> {
+    let outer = transform.outer_radius().filter(|outer| outer.overlaps(cell))?;
+    let start = Interval::point(cell.lower().clone());
+    let rises = transform.rises_beyond(&start) || {
+        let margin = ((outer.clone() - &start) / &outer).upper().clone();
+        let known = transform.kink(transform.kinks().len(), &Interval::point(margin)).ok()??;
+        *known.inside.least?.lower() >= 0
+    };
+    rises.then(|| transform.g(&start).ok())?
 }
 
 /// A lower bound of g on a cell that holds one kink, from g there and the slopes on both sides.
