@@ -59,6 +59,10 @@ impl Transform<f64> for Peculiar {
         true
     }
 
+    fn rises_beyond(&self, x: &f64) -> bool {
+        *x > 10.0
+    }
+
     fn work(&self) -> u64 {
         8
     }
@@ -69,7 +73,8 @@ fn answers(transform: &dyn Transform<f64>) -> String {
     let numbers = [transform.g(&10.0), transform.slope(&10.0), transform.integral(&10.0), transform.mean(&10.0)];
     let more = [transform.above_mean(&10.0), transform.g_within(&10.0, &0.5), transform.mean_within(&10.0, &0.5)];
     let ends = (transform.outer_radius(), transform.vertical_edge(), transform.kinks(), transform.kink(2, &0.5));
-    format!("{numbers:?} {more:?} {ends:?} {} {}", transform.rises(), transform.work())
+    let rises = [transform.rises(), transform.rises_beyond(&10.0), transform.rises_beyond(&11.0)];
+    format!("{numbers:?} {more:?} {ends:?} {rises:?} {}", transform.work())
 }
 
 /// A method that a pointer does not pass on answers with the default of the trait, and nothing else would tell.
@@ -85,7 +90,7 @@ fn pointers_pass_every_question_on() {
     let source = include_str!("../src/contact/transform.rs");
     let (declared, forwarded) = source.split_once("macro_rules! forward").expect("the macro after the trait");
     let methods = |text: &str| text.matches("  fn ").count();
-    assert_eq!((methods(declared), methods(forwarded)), (13, 13));
+    assert_eq!((methods(declared), methods(forwarded)), (14, 14));
 }
 
 #[test]
@@ -107,7 +112,7 @@ fn every_question_is_passed_on_and_counted_once() {
     assert_eq!(spent(&|| counted.g_within(&10.0, &0.5)), (10.5, g));
     assert_eq!(spent(&|| counted.mean_within(&10.0, &0.5)), (9.5, integral));
     assert_eq!((counted.outer_radius(), counted.vertical_edge(), counted.kinks()), (Some(6.0), true, vec![7.0]));
-    assert!(counted.rises());
+    assert!(counted.rises() && !counted.rises_beyond(&10.0));
     let expected = Peculiar.kink(2, &0.5).unwrap_err().to_string();
     assert_eq!(counted.kink(2, &0.5).unwrap_err().to_string(), expected);
     assert_eq!(tally.read(), Evaluations { g: 2, slope: 1, integral: 4 });
