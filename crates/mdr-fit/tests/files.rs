@@ -247,7 +247,11 @@ fn nothing_is_guessed() {
         ("d [nm],F [nN]\n1,5,2,5\n3,4,1,0\n", &["line 2: 4 columns, and the header has 2", "semicolons"]),
         ("nm,nN\n0,5, 1,2\n0,6, 1,7\n", &["commas", "decimal marks or separators"]),
         ("d [nm];F [nN]\n1,5;2\n1.6;3\n", &["line 3: `1.6`", "decimal mark of the lines before"]),
-        ("d [nm];F [nN]\n1.234,5;2\n1;3\n", &["line 2: `1.234,5` in the column `d` is not a number"]),
+        (
+            "d [nm];F [nN]\n1.234,5;2\n1;3\n",
+            &["line 2: `1.234,5` in the column `d` is not a number; write it without marks between the thousands"],
+        ),
+        ("d [nm];F [nN]\n1;nan\n1;3\n", &["`nan` in the column `F` is not a number; `missing = \"skip\"`"]),
         ("d [nm] F [nN]\n1 2\n3\n5 6\n", &["line 3: 1 columns"]),
         ("d [nm],F [nN]\n1.2.3,2\n3,4\n5,6\n", &["line 2: `1.2.3` in the column `d`"]),
         ("d [nm],F [nN]\n1,2\n3,nan\n5,6\n", &["line 3: `nan` in the column `F`"]),

@@ -88,7 +88,9 @@ impl Failure {
 /// The first case that cannot be certified, or whose second method disagrees.
 pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordError> {
     let cases = cases::all()?;
-    let records: Vec<_> = cases.par_iter().map(|(file, case)| (*file, case.certified())).collect();
+    let certified = || cases.par_iter().map(|(file, case)| (*file, case.certified())).collect::<Vec<_>>();
+    let fits = || mdr_reference::data_sets().par_iter().map(fits::records).collect::<Vec<_>>();
+    let (records, (fits, media)) = rayon::join(certified, || rayon::join(fits, generate_media));
     let mut files: Vec<(&'static str, String)> = Vec::new();
     for (file, records) in records {
         if files.last().is_none_or(|(name, _)| *name != file) {
@@ -98,13 +100,12 @@ pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordErro
             content.extend(records?.iter().map(|record| record.to_json() + "\n"));
         }
     }
-    let fits: Vec<_> = mdr_reference::data_sets().par_iter().map(fits::records).collect();
     let mut content = String::new();
     for records in fits {
         content.extend(records?.iter().map(|record| record.to_json() + "\n"));
     }
     files.push((fits::FILE, content));
-    files.extend(generate_media()?);
+    files.extend(media?);
     Ok(files)
 }
 
@@ -114,7 +115,7 @@ pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordErro
 /// The first question that cannot be certified, or whose second method disagrees.
 pub fn generate_media() -> std::result::Result<Vec<(&'static str, String)>, RecordError> {
     let lines = |records: Vec<Record>| records.iter().map(|record| record.to_json() + "\n").collect();
-    media::FILES.iter().map(|(file, questions)| Ok((*file, lines(media::records(questions)?)))).collect()
+    media::FILES.par_iter().map(|(file, questions)| Ok((*file, lines(media::records(questions)?)))).collect()
 }
 
 /// Answers a case.

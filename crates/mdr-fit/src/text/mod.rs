@@ -264,7 +264,15 @@ impl Cells<'_> {
         };
         match data::si(&plain, unit, self.bases[axis]).filter(|value| value.is_finite()) {
             Some(value) => Ok(value),
+            None if data::is_no_number(text) => refuse("is not a number; `missing = \"skip\"` leaves such rows out"),
+            None if has_thousands(text) => refuse("is not a number; write it without marks between the thousands"),
             None => refuse("is not a number"),
         }
     }
+}
+
+/// Whether a number has marks between its thousands: two kinds of marks, or one more than once.
+fn has_thousands(text: &str) -> bool {
+    let marks = text.chars().filter(|letter| ",.'\u{2019}_\u{a0}\u{202f}".contains(*letter)).count();
+    marks > 1 && text.chars().filter(char::is_ascii_digit).count() > 3
 }

@@ -91,7 +91,10 @@ impl<'a> Section<'a> {
 
     /// The value of a key, if it is there.
     pub fn optional(&self, key: &'static str) -> Option<InputValue<'a>> {
-        self.asked.borrow_mut().push(key);
+        let mut asked = self.asked.borrow_mut();
+        if !asked.contains(&key) {
+            asked.push(key);
+        }
         let entry = self.entries.iter().find(|entry| entry.key == key)?;
         Some(InputValue { document: self.document, key: self.full(key), node: &entry.value })
     }
