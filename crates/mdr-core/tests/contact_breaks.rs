@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use mdr_core::contact::{Expression, ExpressionProfile, Profile};
-use mdr_core::number::{Literal, Precision};
+use mdr_core::number::{Interval, Literal, Precision, Real};
 use proptest::prelude::*;
 use rug::Float;
 
@@ -101,6 +101,33 @@ fn what_is_no_profile_is_refused() {
 }
 
 /// Of infinitely many kinks the first are found, with the radius up to which they are known.
+/// Arguments that are written in different ways switch at one radius where that is a rational number.
+#[test]
+fn switches_at_one_radius() {
+    let precision = Precision::new(100);
+    let jump = |text: &str| {
+        let (formula, none) = (text.parse::<Expression>().unwrap(), BTreeMap::new());
+        let enclosed = formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap();
+        assert_eq!(enclosed.breaks().len(), 1, "{text}");
+        enclosed.jump(0).map(|jump| jump[1].clone())
+    };
+    // r times the jump of f'.
+    for (text, expected) in [
+        ("min(r^2, 0.04) + max(0, r - 0.2)", "0.12"),
+        ("max(0, r - 1/3) + abs(1 - 3*r) + r", "7/3"),
+        ("max(0, r - 0.1)*2 + max(r - 1/10, 0)", "0.3"),
+        ("max(r^3, 0.008)*max(0, r^2/0.04 - 1) + min(0.2, r)", "-0.184"),
+        ("abs(1/r - 3)", "6"),
+    ] {
+        let expected = Interval::from_literal(precision, &expected.parse().unwrap());
+        let found = jump(text).unwrap_or_else(|| panic!("{text}"));
+        assert!(found.overlaps(&expected) && found.accuracy_bits() > 85, "{text}: {found:?}");
+    }
+    for apart in ["max(0, r - 0.2) + max(0, r - 0.20000000000000000001)", "max(0, r - sqrt(2)) + max(0, r^2 - 2)"] {
+        assert!(jump(apart).is_none(), "{apart}");
+    }
+}
+
 #[test]
 fn kinks_without_end() {
     let found = profile("abs(sin(pi*r)) + r^2", &[]);

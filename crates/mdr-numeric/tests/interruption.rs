@@ -89,7 +89,8 @@ fn a_spent_budget_leaves_no_state_admissible() -> Result<()> {
         }
         let counted = CountingTransform::new(Box::new(Quadrature::of([WAVES])?), &tally);
         let found = Admissibility::new(Arc::new(counted), [1e-6, 0.3]);
-        // What the states cost is allowed again.
+        // The search is made when something needs it; what the states cost is allowed again.
+        found.basis();
         let spent = tally.spent();
         tally.allow(u64::MAX / 2);
         Ok((found, spent))

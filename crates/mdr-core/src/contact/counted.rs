@@ -111,6 +111,11 @@ impl EvaluationCounter {
         self.budget.spent()
     }
 
+    /// The budget.
+    pub fn budget(&self) -> &Arc<Budget> {
+        &self.budget
+    }
+
     /// Counts what a transform does during an evaluation.
     fn working<T>(&self, weight: u64, heights: impl Fn() -> u64, evaluate: impl FnOnce() -> T) -> T {
         let before = heights();

@@ -20,7 +20,8 @@ mod gap;
 mod proved;
 mod refine;
 
-use std::sync::Arc;
+use std::ops::Deref;
+use std::sync::{Arc, OnceLock};
 
 #[cfg(feature = "mp")]
 use mdr_core::contact::LowestRing;
@@ -55,7 +56,7 @@ pub(crate) use refine::{lost_roughly, proved_touch};
 /// ```
 #[derive(Clone)]
 pub struct Admissibility {
-    terrain: Option<Arc<Terrain>>,
+    terrain: Option<Arc<LazyTerrain>>,
     /// For a formula or a function, whose narrow dips the search may miss.
     touch: Option<FirstTouch>,
     /// Why nothing is known.
@@ -65,6 +66,27 @@ pub struct Admissibility {
     /// By which each verdict is proved.
     #[cfg(feature = "mp")]
     gaps: Option<Arc<crate::proof::EnclosedGaps>>,
+}
+
+/// The extrema of g, which are searched when something needs them, and once.
+struct LazyTerrain {
+    transform: Arc<dyn Transform<f64>>,
+    radii: [f64; 2],
+    searched: OnceLock<Terrain>,
+}
+
+impl LazyTerrain {
+    fn new(transform: Arc<dyn Transform<f64>>, radii: [f64; 2]) -> Option<Arc<Self>> {
+        Some(Arc::new(LazyTerrain { transform, radii, searched: OnceLock::new() }))
+    }
+}
+
+impl Deref for LazyTerrain {
+    type Target = Terrain;
+
+    fn deref(&self) -> &Terrain {
+        self.searched.get_or_init(|| Terrain::new(Arc::clone(&self.transform), self.radii))
+    }
 }
 
 /// Where the separated surfaces of a formula first touch, as far as enclosures of f decide it.
@@ -156,22 +178,18 @@ pub const NOT_SEARCHED: &str = "on this medium the gap outside the contact is no
 
 impl Admissibility {
     /// For a transformed profile whose extrema are searched between two radii, and up to the last kink or the end of
-    /// the profile; [`search_range`] gives radii for a contact.
+    /// the profile; [`search_range`] gives radii for a contact. The search is made when a question needs it, and once.
     pub fn new(transform: Arc<dyn Transform<f64>>, radii: [f64; 2]) -> Self {
         if transform.rises() {
             return Self::of_rising();
         }
-        Admissibility { terrain: Some(Arc::new(Terrain::new(transform, radii))), ..Self::of_rising() }
+        Admissibility { terrain: LazyTerrain::new(transform, radii), ..Self::of_rising() }
     }
 
     /// For a transformed formula or function of which nothing else is proved. The extrema are searched as by [`Admissibility::new`], but
     /// interpenetrations that the search does not find may exist.
     pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
-        Admissibility {
-            terrain: Some(Arc::new(Terrain::new(transform, radii))),
-            touch: Some(touch),
-            ..Self::of_rising()
-        }
+        Admissibility { terrain: LazyTerrain::new(transform, radii), touch: Some(touch), ..Self::of_rising() }
     }
 
     /// For a profile with nondecreasing g: every state is admissible.
@@ -237,6 +255,11 @@ impl Admissibility {
                 _ => Basis::Doubtful,
             },
         }
+    }
+
+    /// Whether every state is admissible by the form of the profile, [`Basis::Bound`].
+    pub fn is_of_rising(&self) -> bool {
+        self.terrain.is_none() && self.unknown.is_none() && !self.isolated
     }
 
     /// Whether anything is known of a state.

@@ -6,11 +6,8 @@ use mdr_core::contact::Transform;
 use mdr_core::number::{Interval, Real};
 
 use super::extrema::Terrain;
-use super::{Admissibility, GapVerdict};
+use super::{Admissibility, FirstTouch, GapVerdict, LazyTerrain};
 use crate::proof::EnclosedGaps;
-
-/// Why nothing is said of a state whose gap is not enclosed closely enough.
-const NOT_DECIDED: &str = "enclosures of the gap outside the contact do not decide it";
 
 impl Admissibility {
     /// For a transform whose g falls nowhere, which is proved by enclosures: every state is admissible on any medium.
@@ -22,7 +19,8 @@ impl Admissibility {
     /// stays. The gap between them is computed in doubles.
     #[must_use]
     pub fn with_extrema(&self, transform: Arc<dyn Transform<f64>>, extrema: &[f64], range: [f64; 2]) -> Self {
-        let terrain = Some(Arc::new(Terrain::of_extrema(transform, extrema, range)));
+        let searched = Terrain::of_extrema(Arc::clone(&transform), extrema, range).into();
+        let terrain = Some(Arc::new(LazyTerrain { transform, radii: range, searched }));
         Admissibility { terrain, isolated: true, unknown: None, ..self.clone() }
     }
 
@@ -33,16 +31,26 @@ impl Admissibility {
     }
 
     /// Whether a contact of radius a at the indentation d, both enclosed, is admissible. With [gaps](Admissibility::with_gaps) the
-    /// verdict in doubles says only where to look: it stands if enclosures prove it, and otherwise nothing is said.
+    /// verdict is proved. The search in doubles says where to look first; of a formula it costs more than a proof, and is not made: there
+    /// the ring on which f is lowest comes first.
     pub fn decided(&self, a: &Interval, d: &Interval) -> GapVerdict {
-        let rough = self.of(a.approx(), d.approx());
-        let Some(gaps) = &self.gaps else { return rough };
-        match rough {
-            GapVerdict::Interpenetrating { radius, .. } if gaps.is_closed(a, d, radius) => rough,
-            GapVerdict::Interpenetrating { .. } => GapVerdict::Undecided(NOT_DECIDED),
-            GapVerdict::Admissible | GapVerdict::Undecided(_) if gaps.are_open(a, d) => GapVerdict::Admissible,
-            GapVerdict::Admissible => GapVerdict::Undecided(NOT_DECIDED),
-            GapVerdict::Undecided(why) => GapVerdict::Undecided(why),
+        let searched = || self.of(a.approx(), d.approx());
+        let Some(gaps) = &self.gaps else { return searched() };
+        match &self.touch {
+            Some(FirstTouch::Ring(ring)) => {
+                let [radius, _] = ring.at::<f64>(());
+                if let Some(gap) = gaps.overlap(a, d, radius) {
+                    return GapVerdict::Interpenetrating { radius, gap };
+                }
+            }
+            Some(_) => {}
+            None => {
+                let verdict = searched();
+                if matches!(verdict, GapVerdict::Interpenetrating { radius, .. } if gaps.is_closed(a, d, radius)) {
+                    return verdict;
+                }
+            }
         }
+        gaps.verdict(a, d)
     }
 }

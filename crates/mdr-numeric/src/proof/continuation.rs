@@ -11,6 +11,8 @@
 //! which is (1.1) of Δ from b on. It is analytic in σ, so that g is, next to a kink, in σ instead of x. The weights sinθ dθ are
 //! positive with the sum 1: over a convex set of values each mean lies in it, and some cells of angles give an enclosure.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use mdr_core::calculus::enclose::BOUND_BITS;
 use mdr_core::contact::EnclosedFormula;
 use mdr_core::number::{Analytic, Euler, Interval, Precision, Real, Rectangle};
@@ -45,6 +47,8 @@ pub struct Continuation {
     cells: Vec<[Interval; 2]>,
     /// k, if f is analytic at the axis as a function of r^(1/k) alone; else 1.
     root: u32,
+    /// Counted over intervals.
+    heights: AtomicU64,
 }
 
 /// The largest k of r^(1/k).
@@ -61,12 +65,18 @@ impl Continuation {
         }
         let roots = terms.iter().filter_map(|term| term.part(0)?.root());
         let root = roots.fold(1, least_common_multiple);
-        Some(Continuation { terms, breaks, cells: cells(), root: if root > LARGEST_ROOT { 1 } else { root } })
+        let root = if root > LARGEST_ROOT { 1 } else { root };
+        Some(Continuation { terms, breaks, cells: cells(), root, heights: AtomicU64::default() })
     }
 
     /// Enclosures of the radii where f is not smooth, ascending.
     pub fn breaks(&self) -> &[Interval] {
         &self.breaks
+    }
+
+    /// The heights that were evaluated so far, counted over intervals.
+    pub(super) fn work(&self) -> u64 {
+        self.heights.load(Ordering::Relaxed)
     }
 
     /// Whether f is known up to a radius.
@@ -85,12 +95,14 @@ impl Continuation {
 
     /// f after so many kinks.
     pub(super) fn height<T: Analytic>(&self, r: &T, beyond: usize) -> Option<T> {
+        self.heights.fetch_add(T::WORK, Ordering::Relaxed);
         let values = self.terms.iter().map(|term| term.part(self.index(term, beyond))?.at(r));
         sum(values)
     }
 
     /// Δ at a kink, of the terms that change there.
     fn change<T: Analytic>(&self, r: &T, kink: usize) -> Option<T> {
+        self.heights.fetch_add(T::WORK, Ordering::Relaxed);
         let of = |term: &EnclosedFormula| {
             let [before, after] = [kink, kink + 1].map(|beyond| self.index(term, beyond));
             (before != after).then_some((before, after))
@@ -131,6 +143,7 @@ impl Continuation {
     /// g before the first kink, over a set of q = x^(1/k) that may hold the axis, with the [k](Self::root) of the profile.
     pub(super) fn g_at_root<T: Analytic>(&self, q: &T) -> Option<T> {
         mean(self.cells.iter().map(|[sine, _]| {
+            self.heights.fetch_add(T::WORK, Ordering::Relaxed);
             let order = sine.lit(1).over(i64::from(self.root));
             let q = Euler::root(&q.scaled(&sine.pow(&order)), self.root, 1);
             let of = |term: &EnclosedFormula| {

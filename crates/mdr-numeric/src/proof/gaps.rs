@@ -1,11 +1,18 @@
 //! Gaps outside contacts on a half-space, open or closed, over enclosures: a proof for each state that is asked for.
 
-use mdr_core::contact::Result;
-use mdr_core::number::Interval;
+use std::sync::Arc;
+
+use mdr_core::contact::{Budget, Result};
+use mdr_core::number::{Interval, Real};
 
 use super::continuation::Continuation;
+use super::elsewhere::Seen;
 use super::overlap::{Outside, Place};
+use crate::admissible::GapVerdict;
 use crate::contact::Contact;
+
+/// Why nothing is said of a state whose gap is not enclosed closely enough.
+const NOT_DECIDED: &str = "enclosures of the gap outside the contact do not decide it";
 
 /// A contact on a half-space, with its profile as formulas, from which the gap outside any state is enclosed. Without them it is
 /// known where g rises.
@@ -31,6 +38,8 @@ use crate::contact::Contact;
 pub struct EnclosedGaps {
     contact: Contact<Interval>,
     profile: Option<Continuation>,
+    /// With what a height costs.
+    budget: Option<(Arc<Budget>, u64)>,
 }
 
 impl EnclosedGaps {
@@ -38,26 +47,62 @@ impl EnclosedGaps {
     /// [`Error::Domain`](mdr_core::contact::Error::Domain) on another medium than a half-space.
     pub fn new(contact: Contact<Interval>, profile: Option<Continuation>) -> Result<Self> {
         super::check_half_space(&contact)?;
-        Ok(EnclosedGaps { contact, profile })
+        Ok(EnclosedGaps { contact, profile, budget: None })
+    }
+
+    /// Spends a weight for each height from a budget; when that is spent nothing is decided.
+    #[must_use]
+    pub fn within(self, budget: &Arc<Budget>, weight: u64) -> Self {
+        EnclosedGaps { budget: Some((Arc::clone(budget), weight)), ..self }
+    }
+
+    /// Whether no gap outside a contact of radius a at the indentation d is negative, up to the end of the profile, or one is; each with
+    /// a proof.
+    pub fn verdict(&self, a: &Interval, d: &Interval) -> GapVerdict {
+        let transform = self.contact.transform();
+        if transform.rises_beyond(a) && transform.g(a).is_ok_and(|g| g.lower() >= d.upper()) {
+            return GapVerdict::Admissible;
+        }
+        match self.spending(a, d, |outside, place| outside.look_everywhere(place)) {
+            Some(Seen::Open) => GapVerdict::Admissible,
+            Some(Seen::Closed { radius, gap }) => GapVerdict::Interpenetrating { radius, gap },
+            _ => GapVerdict::Undecided(NOT_DECIDED),
+        }
     }
 
     /// Whether it is proved that no gap outside a contact of radius a at the indentation d is negative, up to the end of the
     /// profile.
     pub fn are_open(&self, a: &Interval, d: &Interval) -> bool {
-        let transform = self.contact.transform();
-        if transform.rises_beyond(a) && transform.g(a).is_ok_and(|g| g.lower() >= d.upper()) {
-            return true;
-        }
-        self.at(a, d).is_some_and(|(outside, place)| outside.check_everywhere(&place).is_ok())
+        self.verdict(a, d) == GapVerdict::Admissible
     }
 
     /// Whether it is proved that the gap at a radius is negative, so that the surfaces overlap there.
     pub fn is_closed(&self, a: &Interval, d: &Interval, r: f64) -> bool {
-        self.at(a, d).is_some_and(|(outside, place)| outside.is_closed(&place, r).is_ok_and(|closed| closed))
+        self.overlap(a, d, r).is_some()
     }
 
-    fn at(&self, a: &Interval, d: &Interval) -> Option<(Outside<'_>, Place)> {
-        let place = Place { a: a.clone(), d: d.clone() };
-        Some((Outside { contact: &self.contact, profile: self.profile.as_ref()? }, place.rough()))
+    /// The gap at a radius, if it is proved that it is negative.
+    pub fn overlap(&self, a: &Interval, d: &Interval, r: f64) -> Option<f64> {
+        let gap = self.spending(a, d, |outside, place| outside.gap_at(place, &Interval::from_f64(place.a.ctx(), r)))?;
+        (*gap.upper() < 0).then(|| gap.approx())
+    }
+
+    /// What is known outside a contact, for which the heights are paid.
+    fn spending<T>(
+        &self,
+        a: &Interval,
+        d: &Interval,
+        look: impl FnOnce(&Outside<'_>, &Place) -> Result<T>,
+    ) -> Option<T> {
+        let profile = self.profile.as_ref()?;
+        if self.budget.as_ref().is_some_and(|(budget, _)| budget.is_spent()) {
+            return None;
+        }
+        let (place, before) = (Place { a: a.clone(), d: d.clone() }.rough(), profile.work());
+        let seen = look(&Outside { contact: &self.contact, profile }, &place);
+        if let Some((budget, weight)) = &self.budget {
+            budget.spend(weight.saturating_mul(profile.work().saturating_sub(before)));
+        }
+        seen.ok()
     }
 }

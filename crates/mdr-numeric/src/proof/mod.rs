@@ -12,6 +12,7 @@
 mod branches;
 mod cells;
 mod continuation;
+mod elsewhere;
 mod ends;
 mod energy;
 mod equator;

@@ -14,16 +14,13 @@
 
 use std::ops::RangeInclusive;
 
-use mdr_core::calculus::enclose::BOUND_BITS;
-use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability, Transform};
-use mdr_core::number::{Euler, Interval, Precision, Real, Special};
-use rug::Float;
-
 use super::continuation::{Continuation, leg};
-use super::ends::{FAR, octave};
 use super::fields::moments;
 use crate::admissible::Ring;
 use crate::contact::Contact;
+use mdr_core::calculus::enclose::BOUND_BITS;
+use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
+use mdr_core::number::{Euler, Interval, Precision, Real, Special};
 
 /// The most steps of Newton's iteration, each of which nearly doubles the digits of doubles.
 const STEPS: usize = 24;
@@ -31,12 +28,6 @@ const STEPS: usize = 24;
 const NEIGHBOURHOODS: [i32; 8] = [2, 3, 4, 6, 8, 10, 14, 18];
 /// Bits of the precision by which two radii of contact are told apart, and how many more are tried.
 const BRACKETS: [u32; 5] = [28, 40, 52, 64, 80];
-/// The most cells outside the ring,
-const CELLS: usize = 4000;
-/// none of which is wider than this ratio when g is looked at,
-const WIDEST: f64 = 1.03;
-/// or narrower than this when nothing is decided.
-const FINEST: f64 = 1.0 + 1e-9;
 
 /// A contact on a half-space, and what lies outside it.
 pub(super) struct Outside<'a> {
@@ -77,7 +68,7 @@ impl Outside<'_> {
     }
 
     /// The gap with two derivatives in r, over all parts of f that a set of radii meets.
-    fn gap(&self, place: &Place, r: &Interval) -> Result<[Interval; 3]> {
+    pub(super) fn gap(&self, place: &Place, r: &Interval) -> Result<[Interval; 3]> {
         let breaks = self.profile.breaks();
         let first = breaks.partition_point(|b| b.upper() < r.lower());
         let last = breaks.partition_point(|b| b.lower() <= r.upper());
@@ -114,7 +105,7 @@ impl Outside<'_> {
         Ok([f - d + share(u), f1 + share(slope), f2 + share(bend)])
     }
 
-    fn open(&self, r: &Interval) -> Error {
+    pub(super) fn open(&self, r: &Interval) -> Error {
         let [from, to] = [r.lower(), r.upper()].map(|end| end.to_string_radix(10, Some(17)));
         Error::Unproved { quantity: Quantity::Radius, from, to, remedy: "the gap is not enclosed there" }
     }
@@ -125,13 +116,13 @@ impl Outside<'_> {
 
     /// Whether the surfaces of an equilibrium certainly overlap at a radius.
     pub(super) fn overlaps(&self, a: &Interval, r: f64) -> Result<bool> {
-        self.is_closed(&self.equilibrium(a.clone())?, r)
+        let gap = self.gap_at(&self.equilibrium(a.clone())?, &Interval::from_f64(a.ctx(), r))?;
+        Ok(*gap.upper() < 0)
     }
 
-    /// Whether the gap at a radius is certainly negative.
-    pub(super) fn is_closed(&self, place: &Place, r: f64) -> Result<bool> {
-        let [gap, ..] = self.gap(place, &Interval::from_f64(place.a.ctx(), r))?;
-        Ok(*gap.upper() < 0)
+    /// The gap at a radius.
+    pub(super) fn gap_at(&self, place: &Place, r: &Interval) -> Result<Interval> {
+        self.gap(place, r).map(|[gap, ..]| gap)
     }
 
     /// The last admissible state of a stable branch and the ring, from approximations of both.
@@ -259,142 +250,6 @@ impl Outside<'_> {
         let [_, slope, _] = self.gap(places, &r)?;
         (r - slope / bend).intersect(&valley.around).ok_or_else(|| self.undecided())
     }
-
-    /// Checks that the gap is open outside the neighbourhood of the ring, wherever g is below the indentation.
-    fn check_elsewhere(&self, place: &Place, around: &Interval) -> Result<()> {
-        let far = self.far(place, around)?;
-        let cells = vec![(around.upper().clone(), far), (place.a.upper().clone(), around.lower().clone())];
-        self.check_cells(place, cells)
-    }
-
-    /// Checks that the gap is open everywhere outside the contact, up to the end of the profile, wherever g is below the indentation.
-    pub(super) fn check_everywhere(&self, place: &Place) -> Result<()> {
-        let far = match self.contact.transform().outer_radius() {
-            Some(outer) => outer.rounded(place.a.ctx()).upper().clone(),
-            None => self.far(place, &place.a)?,
-        };
-        self.check_cells(place, vec![(place.a.lower().clone(), far)])
-    }
-
-    fn check_cells(&self, place: &Place, mut cells: Vec<(Float, Float)>) -> Result<()> {
-        for _ in 0..CELLS {
-            let Some((from, to)) = cells.pop() else { return Ok(()) };
-            let cell = Interval::new(from.clone(), to.clone());
-            let ratio = Float::with_val(BOUND_BITS, &to / &from);
-            if ratio <= WIDEST {
-                if self.is_above(&cell, &place.d) || self.is_free(place, &cell) {
-                    continue;
-                }
-                if ratio <= FINEST {
-                    return Err(self.open(&cell));
-                }
-            }
-            let middle = Float::with_val(BOUND_BITS, (from.clone() * &to).sqrt_ref());
-            cells.extend([(middle.clone(), to), (from, middle)]);
-        }
-        Err(self.open(&place.a))
-    }
-
-    /// Whether g is certainly not below d on a cell.
-    fn is_above(&self, cell: &Interval, d: &Interval) -> bool {
-        let transform = self.contact.transform();
-        if transform.g(cell).is_ok_and(|g| g.lower() >= d.upper()) {
-            return true;
-        }
-        if least_before_end(transform, cell).is_some_and(|least| least.lower() >= d.upper()) {
-            return true;
-        }
-        let kinks = transform.kinks();
-        let mut within = kinks.iter().enumerate().filter(|(_, kink)| kink.overlaps(cell));
-        let (Some((index, kink)), None) = (within.next(), within.next()) else { return false };
-        least_beside(transform, index, kink, cell).is_some_and(|least| least.lower() >= d.upper())
-    }
-
-    /// Whether the gap is certainly open on a cell outside the contact.
-    fn is_free(&self, place: &Place, cell: &Interval) -> bool {
-        let Ok([over, slope, _]) = self.gap(place, cell) else { return false };
-        if *over.lower() > 0 {
-            return true;
-        }
-        let middle = cell.midpoint();
-        let Ok([gap, ..]) = self.gap(place, &middle) else { return false };
-        *(gap + slope * (cell.clone() - middle)).lower() > 0
-    }
-
-    /// A radius beyond which the gap is open: f is above the indentation by more than the surface may rise there,
-    /// |u(r)| = (2/π) |∫₀ᵃ (d − g)/√(r² − x²) dx| ≤ (a/r) max |d − g|.
-    fn far(&self, place: &Place, around: &Interval) -> Result<Float> {
-        let Place { a, d } = place;
-        let inside = self.profile.range(&a.lit(0).hull(a)).ok_or_else(|| self.open(a))?;
-        let most = (d.clone() - inside).abs();
-        let kinks = self.profile.breaks().last().map_or_else(|| around.upper(), Interval::upper);
-        let mut from = Float::with_val(BOUND_BITS, around.upper().clone().max(kinks));
-        for octaves in (0..6).map(|power| 1u32 << power) {
-            from <<= octaves;
-            if self.is_open_from(&from, &(most.clone() * a), d) {
-                return Ok(from);
-            }
-        }
-        Err(self.open(around))
-    }
-
-    /// Whether f − d is above `reach`/r from a radius beyond all kinks out to the largest radii.
-    fn is_open_from(&self, from: &Float, reach: &Interval, d: &Interval) -> bool {
-        let first = octave(from);
-        let end = |octave: f64| if octave > first { Float::with_val(BOUND_BITS, octave).exp2() } else { from.clone() };
-        let is_open = |lower: f64, upper: f64| {
-            let r = Interval::new(end(lower), end(upper));
-            let height = self.profile.height(&r, self.profile.breaks().len());
-            let nearest = Interval::point(r.lower().clone());
-            self.profile.reaches(&r) && height.is_some_and(|f| *(f - d - reach.clone() / nearest).lower() > 0)
-        };
-        let mut open = vec![(first, FAR)];
-        for _ in 0..CELLS {
-            let Some((lower, upper)) = open.pop() else { return true };
-            if is_open(lower, upper) {
-                continue;
-            }
-            if upper - lower < 1e-3 || !is_open(lower, lower) {
-                return false;
-            }
-            let middle = if lower > 1.0 {
-                (lower * upper).sqrt()
-            } else {
-                lower + (upper - lower).sqrt().min((upper - lower) / 2.0)
-            };
-            open.extend([(middle, upper), (lower, middle)]);
-        }
-        false
-    }
-}
-
-/// A lower bound of g on a cell up to the end of the profile, or to where g diverges, on which it rises: g where the cell begins.
-fn least_before_end(transform: &dyn Transform<Interval>, cell: &Interval) -> Option<Interval> {
-    let outer = transform.outer_radius().filter(|outer| outer.overlaps(cell))?;
-    let start = Interval::point(cell.lower().clone());
-    let rises = transform.rises_beyond(&start) || {
-        let margin = ((outer.clone() - &start) / &outer).upper().clone();
-        let known = transform.kink(transform.kinks().len(), &Interval::point(margin)).ok()??;
-        *known.inside.least?.lower() >= 0
-    };
-    rises.then(|| transform.g(&start).ok())?
-}
-
-/// A lower bound of g on a cell that holds one kink, from g there and the slopes on both sides.
-fn least_beside(
-    transform: &dyn Transform<Interval>,
-    index: usize,
-    kink: &Interval,
-    cell: &Interval,
-) -> Option<Interval> {
-    let [before, after] = [cell.lower(), cell.upper()].map(|end| (Interval::point(end.clone()) - kink).abs());
-    let margin = (before.greater(&after) / kink).upper().clone();
-    let known = transform.kink(index, &Interval::point(margin)).ok()??;
-    let (g, _) = known.value?;
-    let zero = g.lit(0);
-    let inside = g.clone() - known.inside.greatest?.greater(&zero) * before;
-    let outside = g + known.outside.least?.lesser(&zero) * after;
-    Some(inside.lesser(&outside))
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use mdr_core::contact::{Control, Expression, Material};
+use rug::Float;
 
 use super::super::energy::all_over_unit_interval;
 use super::super::energy::tests::Dropped;

@@ -7,7 +7,7 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Literal, Precision};
-use mdr_numeric::admissible::{Admissibility, Basis};
+use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::folds::Folds;
 use rug::Float;
 
@@ -66,14 +66,16 @@ impl<'s> Certified<'s> {
                 return Ok(Arc::new(Admissibility::of_rising()));
             }
             let searched = self.search()?.admissibility();
-            if searched.basis() == Basis::Bound {
+            if searched.is_of_rising() {
                 return Ok(searched);
+            }
+            if let Some(gaps) = proof::gaps(self)? {
+                return Ok(Arc::new(searched.as_ref().clone().with_gaps(gaps)));
             }
             // A formula may rise, though its form does not say so; of a table the gap is not enclosed.
             let by_extrema = self.scene.is_by_integrals() || self.scene.profile.rows().is_some();
             let isolated = if by_extrema { proof::isolated(self, &searched)? } else { None };
-            let known = isolated.map_or(searched, Arc::new);
-            Ok(proof::gaps(self)?.map(|gaps| Arc::new(known.with_gaps(gaps))).unwrap_or(known))
+            Ok(isolated.map_or(searched, Arc::new))
         });
         found.cloned()
     }

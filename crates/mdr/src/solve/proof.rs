@@ -9,8 +9,9 @@ use rug::Float;
 use rug::float::Round;
 
 use super::certified::{Certified, PROVED_ROWS};
-use super::model::Model;
+use super::model::{Model, SceneReal};
 use super::sample;
+use super::weight::weight;
 use crate::answer::{Completeness, Number, Value};
 
 /// Bits in which folds are isolated; they are sharpened afterwards.
@@ -157,7 +158,8 @@ pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
         None => None,
     };
     let contact = Enclosed::new(certified, precision)?.value.contact();
-    EnclosedGaps::new(contact, profile).map(Some)
+    let weight = weight(&scene.profile, Interval::INDEX, ISOLATION);
+    EnclosedGaps::new(contact, profile).map(|gaps| Some(gaps.within(certified.counts[0].budget(), weight)))
 }
 
 /// Why folds are all, or are not.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Edge, Fold, Result, Status};
+use mdr_core::number::Literal;
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::folds::{self, Folds, OutOfRangeFold, SearchQuality};
 
@@ -54,15 +55,20 @@ impl<'s> Search<'s> {
     /// The admissible states: searched when they are needed, and once, around the folds that were found.
     pub(crate) fn admissibility(&self) -> Arc<Admissibility> {
         let search = || {
-            let rises = self.model.transform().rises();
-            let folds = self.folds().ok().filter(|_| !rises);
-            let radii: Vec<f64> =
-                folds.into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect();
+            let radii = if self.model.transform().rises() { Vec::new() } else { self.radii_of_folds() };
             let length = self.model.contact().material_length();
             let transform = Arc::clone(self.model.contact().shared_transform());
             Arc::new(admissible::on_medium(&self.scene.profile, &self.scene.medium, transform, length, &radii))
         };
         Arc::clone(self.admissibility.get_or_init(search))
+    }
+
+    /// The radii of the folds that were found, if they are; for a proof on a range of radii its ends.
+    fn radii_of_folds(&self) -> Vec<f64> {
+        match &self.scene.range {
+            Some(range) if self.radii_suffice => range.iter().map(Literal::nearest_f64).collect(),
+            _ => self.folds().ok().into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect(),
+        }
     }
 
     /// # Errors

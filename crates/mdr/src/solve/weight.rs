@@ -20,6 +20,8 @@ struct Costs {
     form: u64,
     /// An operation of a formula; a function is twenty.
     operation: u64,
+    /// Whether integrals over it are bounded on complex sets.
+    is_complex: bool,
     /// The share of one row in an integral over a table.
     row: u64,
     /// Whether the rows far from the radius count together.
@@ -30,7 +32,7 @@ impl Costs {
     fn of(arithmetic: usize, bits: u64) -> Self {
         // Enclosures are twice as dear as numbers of the same bits, those with a slope three times.
         let times = match arithmetic {
-            0 => return Costs { form: 150, operation: 8, row: 20, clustered: true },
+            0 => return Costs { form: 150, operation: 8, is_complex: false, row: 20, clustered: true },
             1 => 1,
             2 => 2,
             _ => 3,
@@ -39,6 +41,7 @@ impl Costs {
         Costs {
             form: times * (1500 + 25 * bits + 10 * size),
             operation: times * (60 + bits / 5 + size),
+            is_complex: times > 1,
             row: times * (1000 + 3 * bits),
             clustered: bits <= 512,
         }
@@ -49,7 +52,10 @@ impl Costs {
             Profile::Shape(Shape::WavyParaboloid { .. }) => 4 * self.form,
             Profile::Shape(_) | Profile::Wave(_) => self.form,
             Profile::Sum(terms) => terms.iter().map(|term| self.of_profile(term)).sum(),
-            Profile::Formula(formula) => self.operation * formula.expression.operations(),
+            Profile::Formula(formula) => {
+                let expression = &formula.expression;
+                self.operation * if self.is_complex { expression.complex_operations() } else { expression.operations() }
+            }
             Profile::Function(_) => self.operation * OPERATIONS,
             Profile::Table(_) => self.form + self.row * self.rows(profile.rows().unwrap_or(1) as u64),
         }

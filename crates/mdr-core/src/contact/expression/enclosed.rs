@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use rug::Float;
 
 use super::breaks::Breaks;
+use super::switch::{Switch, is_positive};
 use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
 use crate::calculus::enclose::BOUND_BITS;
 use crate::number::{Analytic, Dual, Euler, Interval, Literal, Precision, Real};
@@ -92,11 +93,13 @@ impl EnclosedFormula {
         let (mut located, mut jumps) = (Vec::new(), Vec::new());
         for ((radius, within), beside) in places.iter().zip(samples.windows(2)) {
             let [tight, cell] = [around(radius, bits), around(radius, COARSE)].map(|place| place.rounded(fine));
-            let switch = Switch::at(&tree, &cell, beside).filter(|switch| switch.is_only_within(&cell, &tight));
+            let switch = Switch::at(root, &tree, &cell, beside).filter(|switch| switch.is_only_within(&cell, &tight));
             located.push(match &switch {
                 Some(_) => around(radius, bits),
                 None => cell.hull(&within.rounded(fine)).rounded(precision),
             });
+            // The zeros of different arguments need not be the same.
+            let switch = switch.filter(|switch| switch.is_at_one_radius(&tight));
             let jump = switch.and_then(|switch| tree.sides(&Euler::variable(&tight, 2), &switch)?.jump());
             jumps.push(jump);
         }
@@ -232,147 +235,7 @@ fn samples(places: &[(Float, Interval)], outer: Option<&Interval>, precision: Pr
     samples
 }
 
-/// The argument u of each `abs(u)`, or the difference of those of `min` and `max`, that changes its sign at a break.
-struct Switch {
-    /// With the sign of u before the break.
-    arguments: Vec<(Node<Interval>, bool)>,
-}
-
-impl Switch {
-    /// At a cell with one break, from radii on both sides; `None` if a sign is not decided.
-    fn at(tree: &Node<Interval>, cell: &Interval, beside: &[Option<Interval>]) -> Option<Switch> {
-        let [Some(before), Some(after)] = beside else { return None };
-        let mut all = Vec::new();
-        tree.switches(&mut all);
-        let mut arguments: Vec<(Node<Interval>, bool)> = Vec::new();
-        for argument in all {
-            let signs = [is_positive(&argument, before)?, is_positive(&argument, after)?];
-            if signs[0] != signs[1] {
-                if !arguments.iter().any(|(known, _)| known.is_same(&argument)) {
-                    arguments.push((argument, signs[0]));
-                }
-            } else if argument.value(cell).contains_zero() {
-                // It may touch zero.
-                return None;
-            }
-        }
-        Some(Switch { arguments })
-    }
-
-    /// Whether all of them change their signs within a tight interval of a cell, and nowhere else in the cell.
-    fn is_only_within(&self, cell: &Interval, tight: &Interval) -> bool {
-        self.arguments.iter().all(|(argument, positive)| {
-            let Some(over) = argument.analytic(&Euler::variable(cell, 1)) else { return false };
-            let ends = [tight.lower(), tight.upper()].map(|end| is_positive(argument, &Interval::point(end.clone())));
-            !over.derivative(1).contains_zero() && ends == [Some(*positive), Some(!*positive)]
-        })
-    }
-}
-
-/// Derivatives on both sides of a break.
-struct Sides {
-    before: Euler<Interval>,
-    after: Euler<Interval>,
-    /// Up to this order they are the same numbers.
-    smooth: usize,
-}
-
-impl Sides {
-    fn smooth(value: Euler<Interval>) -> Self {
-        Sides { smooth: value.order(), before: value.clone(), after: value }
-    }
-
-    /// A function of one or two numbers with derivatives that are continuous up to an order.
-    fn of(before: Euler<Interval>, after: Euler<Interval>, mut smooth: usize) -> Self {
-        // Numbers that are exactly equal, such as zeros.
-        while smooth < before.order() && before.derivative(smooth + 1) == after.derivative(smooth + 1) {
-            smooth += 1;
-        }
-        Sides { before, after, smooth }
-    }
-
-    /// What jumps: exactly nothing where both sides are the same.
-    fn jump(&self) -> Option<Vec<Interval>> {
-        let at = |k: usize| {
-            let [before, after] = [&self.before, &self.after].map(|side| side.derivative(k));
-            if k <= self.smooth { before.lit(0) } else { after - before }
-        };
-        let jumps: Vec<Interval> = (0..=self.before.order()).map(at).collect();
-        jumps.iter().all(Real::is_finite).then_some(jumps)
-    }
-}
-
-/// The sign of a part of a formula at a radius, if it is certain.
-fn is_positive(node: &Node<Interval>, radius: &Interval) -> Option<bool> {
-    let value = node.value(radius);
-    match (*value.lower() > 0, *value.upper() < 0) {
-        (true, _) => Some(true),
-        (_, true) => Some(false),
-        _ => None,
-    }
-}
-
 impl Node<Interval> {
-    /// Whether both are written in the same way. (Enclosures that are no points are not equal, as numbers.)
-    fn is_same(&self, other: &Node<Interval>) -> bool {
-        match (self, other) {
-            (Node::Variable, Node::Variable) => true,
-            (Node::Constant(a), Node::Constant(b)) => a.is_same(b),
-            (Node::Negative(x), Node::Negative(y)) => x.is_same(y),
-            (Node::Power(x, n), Node::Power(y, k)) => n == k && x.is_same(y),
-            (Node::Function(f, x), Node::Function(g, y)) => f == g && x.is_same(y),
-            (Node::Operation(f, a, b), Node::Operation(g, c, d)) => f == g && a.is_same(c) && b.is_same(d),
-            _ => false,
-        }
-    }
-
-    /// The arguments whose signs matter: of `abs`, of the root of a square, and the differences of those of `min` and `max`.
-    fn switches(&self, found: &mut Vec<Node<Interval>>) {
-        if let Some(argument) = self.switch() {
-            found.push(argument);
-        }
-        match self {
-            Node::Variable | Node::Constant(_) => {}
-            Node::Negative(x) | Node::Power(x, _) | Node::Function(_, x) => x.switches(found),
-            Node::Operation(_, a, b) => {
-                a.switches(found);
-                b.switches(found);
-            }
-        }
-    }
-
-    fn switch(&self) -> Option<Node<Interval>> {
-        match self {
-            Node::Function(Function::Abs, x) => Some((**x).clone()),
-            Node::Function(Function::Sqrt, x) => match &**x {
-                Node::Power(base, 2) => Some((**base).clone()),
-                _ => None,
-            },
-            // max(u, 0) switches where u does, as another switch by u beside it.
-            Node::Operation(Operator::Minimum | Operator::Maximum, a, b) => Some(match &**b {
-                Node::Constant(zero) if *zero == zero.lit(0) => (**a).clone(),
-                _ => Node::Operation(Operator::Subtract, a.clone(), b.clone()),
-            }),
-            _ => None,
-        }
-    }
-
-    /// What a switch is where its argument has a sign.
-    fn switched(&self, positive: bool) -> Node<Interval> {
-        let signed = |x: &Node<Interval>| if positive { x.clone() } else { Node::Negative(Box::new(x.clone())) };
-        match self {
-            Node::Function(_, x) => match &**x {
-                Node::Power(base, 2) if matches!(self, Node::Function(Function::Sqrt, _)) => signed(base),
-                x => signed(x),
-            },
-            Node::Operation(operator, a, b) => {
-                let first = positive == (*operator == Operator::Maximum);
-                if first { (**a).clone() } else { (**b).clone() }
-            }
-            other => other.clone(),
-        }
-    }
-
     /// The formula without switches, by the signs of their arguments in a twin with more bits at a radius; `None` if one is
     /// not certain.
     fn resolved(&self, twin: &Node<Interval>, radius: &Interval) -> Option<Node<Interval>> {
@@ -419,7 +282,7 @@ impl Node<Interval> {
     }
 
     /// The value over a set; `None` where it is not defined or not analytic, as where a switch is left.
-    fn analytic<T: Analytic>(&self, r: &T) -> Option<T> {
+    pub(super) fn analytic<T: Analytic>(&self, r: &T) -> Option<T> {
         Some(match self {
             Node::Variable => r.clone(),
             Node::Constant(constant) => r.constant(constant),
@@ -436,7 +299,7 @@ impl Node<Interval> {
     }
 
     /// The outermost operation on a value.
-    fn unary<T: Analytic>(&self, x: &T) -> Option<T> {
+    pub(super) fn unary<T: Analytic>(&self, x: &T) -> Option<T> {
         match self {
             Node::Negative(_) => Some(x.negated()),
             Node::Power(_, 2) => Some(x.squared()),
@@ -446,50 +309,9 @@ impl Node<Interval> {
             Node::Operation(..) | Node::Variable | Node::Constant(_) => None,
         }
     }
-
-    /// The derivatives on both sides of a break.
-    fn sides(&self, r: &Euler<Interval>, switch: &Switch) -> Option<Sides> {
-        if let Some(argument) = self.switch() {
-            return self.switched_sides(&argument, r, switch);
-        }
-        Some(match self {
-            Node::Variable => Sides::smooth(r.clone()),
-            Node::Constant(constant) => Sides::smooth(r.constant(constant)),
-            Node::Operation(Operator::Power, x, exponent) if exponent.is_constant() => {
-                let x = x.sides(r, switch)?;
-                Sides::of(self.unary(&x.before)?, self.unary(&x.after)?, x.smooth)
-            }
-            Node::Operation(operator, a, b) => {
-                let (a, b) = (a.sides(r, switch)?, b.sides(r, switch)?);
-                let side = |a: &Euler<Interval>, b: &Euler<Interval>| combined(*operator, a, b);
-                Sides::of(side(&a.before, &b.before)?, side(&a.after, &b.after)?, a.smooth.min(b.smooth))
-            }
-            Node::Negative(x) | Node::Power(x, _) | Node::Function(_, x) => {
-                let x = x.sides(r, switch)?;
-                Sides::of(self.unary(&x.before)?, self.unary(&x.after)?, x.smooth)
-            }
-        })
-    }
-
-    /// The derivatives on both sides of a break where a switch has an argument that may be zero there.
-    fn switched_sides(&self, argument: &Node<Interval>, r: &Euler<Interval>, switch: &Switch) -> Option<Sides> {
-        let (before, after) = match &switch.arguments[..] {
-            [(known, positive)] if known.is_same(argument) => (*positive, !*positive),
-            // The zeros of different arguments need not be the same.
-            [_, _, ..] => return None,
-            _ => return self.switched(is_positive(argument, r.value())?).sides(r, switch),
-        };
-        let [before, after] = [before, after].map(|positive| self.switched(positive).sides(r, switch));
-        let (before, after) = (before?.before, after?.after);
-        let value = match self {
-            Node::Function(..) => r.value().lit(0),
-            _ => before.value().intersect(after.value())?,
-        };
-        Some(Sides::of(before.with_value(value.clone()), after.with_value(value), 0))
-    }
 }
 
-fn combined<T: Analytic>(operator: Operator, a: &T, b: &T) -> Option<T> {
+pub(super) fn combined<T: Analytic>(operator: Operator, a: &T, b: &T) -> Option<T> {
     Some(match operator {
         Operator::Add => a.plus(b),
         Operator::Subtract => a.minus(b),

@@ -14,6 +14,8 @@ mod powers;
 #[cfg(feature = "mp")]
 mod rooted;
 mod shapes;
+#[cfg(feature = "mp")]
+mod switch;
 
 #[cfg(feature = "mp")]
 pub use breaks::Breaks;
@@ -72,6 +74,9 @@ enum Constant {
     Pi,
     Parameter { name: String, column: usize },
 }
+
+/// The cost of a function, in operations.
+const FUNCTION: u64 = 20;
 
 /// A formula whose constants are of type `C`.
 #[derive(Clone, Debug, PartialEq)]
@@ -243,7 +248,16 @@ impl Expression {
 
     /// The number of operations of a height, a function or a power counted as twenty: what it costs.
     pub fn operations(&self) -> u64 {
-        self.root.operations()
+        self.root.operations(&|_| FUNCTION)
+    }
+
+    /// The [operations](Expression::operations) over complex sets, where logarithms, powers and inverse functions are dearer.
+    pub fn complex_operations(&self) -> u64 {
+        self.root.operations(&|function| match function {
+            None | Some(Function::Ln | Function::Log10) => 2 * FUNCTION,
+            Some(Function::Atan | Function::Asin | Function::Acos | Function::Atanh) => 5 * FUNCTION,
+            Some(_) => FUNCTION,
+        })
     }
 
     /// The formula without parameters.
@@ -259,16 +273,15 @@ impl Expression {
 }
 
 impl<C> Node<C> {
-    fn operations(&self) -> u64 {
-        /// The cost of a function.
-        const FUNCTION: u64 = 20;
+    /// With the cost of each function, and of a power.
+    fn operations(&self, cost: &dyn Fn(Option<Function>) -> u64) -> u64 {
+        let of = |node: &Node<C>| node.operations(cost);
         match self {
             Node::Variable | Node::Constant(_) => 1,
-            Node::Operation(Operator::Power, base, exponent) => FUNCTION + base.operations() + exponent.operations(),
-            Node::Operation(_, left, right) => 1 + left.operations() + right.operations(),
-            Node::Negative(inner) | Node::Power(inner, _) => 1 + inner.operations(),
-            Node::Function(Function::Abs, inner) => 1 + inner.operations(),
-            Node::Function(_, inner) => FUNCTION + inner.operations(),
+            Node::Operation(Operator::Power, base, exponent) => cost(None) + of(base) + of(exponent),
+            Node::Operation(_, left, right) => 1 + of(left) + of(right),
+            Node::Negative(inner) | Node::Power(inner, _) | Node::Function(Function::Abs, inner) => 1 + of(inner),
+            Node::Function(function, inner) => cost(Some(*function)) + of(inner),
         }
     }
 

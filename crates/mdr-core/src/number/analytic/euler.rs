@@ -160,6 +160,8 @@ fn quotient<T: Analytic>(one: &[T], other: &[T]) -> Option<Vec<T>> {
 }
 
 impl<T: Analytic> Analytic for Euler<T> {
+    const WORK: u64 = T::WORK;
+
     fn bits(&self) -> u32 {
         self.coefficients[0].bits()
     }

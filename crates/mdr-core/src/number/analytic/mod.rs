@@ -27,6 +27,8 @@ use super::{Interval, Precision, Real, Special};
 /// assert!(Rectangle::new(around.clone(), around).sqrt().is_none());
 /// ```
 pub trait Analytic: Clone {
+    /// How many times as long a formula takes as over an interval, for budgets: to within a factor of two.
+    const WORK: u64;
     /// Bits in the significand.
     fn bits(&self) -> u32;
     /// A real constant.
@@ -94,6 +96,8 @@ fn defined(value: Interval) -> Option<Interval> {
 }
 
 impl Analytic for Interval {
+    const WORK: u64 = 1;
+
     fn bits(&self) -> u32 {
         self.lower().prec()
     }

@@ -103,6 +103,8 @@ fn part(x: &Float, y: &Float, imaginary: bool) -> Interval {
 }
 
 impl Analytic for Rectangle {
+    const WORK: u64 = 4;
+
     fn bits(&self) -> u32 {
         self.re.bits()
     }

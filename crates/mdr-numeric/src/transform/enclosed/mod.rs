@@ -30,13 +30,13 @@ use span::{Gap, Span, gaps};
 /// The most pieces of an integral at one radius,
 const PIECES: usize = 400;
 /// and over an interval of radii, where too few only lead to narrower intervals.
-const PIECES_OF_INTERVAL: usize = 60;
+const PIECES_OF_INTERVAL: usize = 120;
 /// Over wide intervals of radii g' is bounded by ranges of (r f')' on so many parts of the quarter circle.
 const RANGES: i64 = 12;
 /// Recent integrals that are kept.
 const KEPT: usize = 8;
-/// Values of the integrand after which no further integral is begun: some seconds.
-const MOST: u64 = 150_000;
+/// Values of the integrand, over intervals, after which no further integral is begun: some seconds.
+const MOST: u64 = 300_000;
 
 /// The MDR-transformed profile of a formula over enclosures. Its values are proved; where an integral takes too many pieces it
 /// is an [`Error::Unproved`] at a radius, and over an interval of radii the entire line. So is every integral after a great

@@ -30,13 +30,14 @@ pub(super) struct Ray<'a> {
     pub(super) x: &'a Interval,
     pub(super) order: Order,
     pub(super) weight: &'a Weight<Interval>,
+    /// Counted in heights over an interval.
     pub(super) heights: &'a AtomicU64,
 }
 
 impl Ray<'_> {
     /// The Euler derivatives of f at x sinθ.
     fn heights<T: Analytic>(&self, sine: &T) -> Option<Euler<T>> {
-        self.heights.fetch_add(1, Ordering::Relaxed);
+        self.heights.fetch_add(T::WORK, Ordering::Relaxed);
         self.part.at(&Euler::variable(&sine.scaled(self.x), self.order.derivatives()))
     }
 
@@ -152,7 +153,7 @@ impl Ray<'_> {
 
     /// The integrand over t with q = r^(1/k) proportional to t at the axis.
     fn at_root<T: Analytic>(&self, t: &T, k: u32) -> Option<Vec<T>> {
-        self.heights.fetch_add(1, Ordering::Relaxed);
+        self.heights.fetch_add(T::WORK, Ordering::Relaxed);
         let precision = Precision::new(t.bits());
         let number = |value: u32| Interval::from_int(precision, i64::from(value));
         let root = number(1) / number(k);

@@ -1,0 +1,190 @@
+//! Whether the gap is open on ranges of radii outside a contact, by cells.
+
+use mdr_core::calculus::enclose::BOUND_BITS;
+use mdr_core::contact::{Result, Transform};
+use mdr_core::number::{Interval, Real};
+use rug::Float;
+
+use super::ends::{FAR, octave};
+use super::overlap::{Outside, Place};
+
+/// The most cells outside a contact or a ring,
+const CELLS: usize = 4000;
+/// none of which is wider than this ratio when g is looked at,
+const WIDEST: f64 = 1.03;
+/// or narrower than this when nothing is decided.
+const FINEST: f64 = 1.0 + 1e-9;
+/// So many octaves beyond a contact an overlap is looked for where the gap is not known to be open far away.
+const NEAR: u32 = 4;
+/// The most heights for a contact, about a second.
+const HEIGHTS: u64 = 200_000;
+
+/// What is certain of the gap.
+pub(super) enum Seen {
+    /// It is nowhere negative.
+    Open,
+    /// It is negative at a radius.
+    Closed { radius: f64, gap: f64 },
+    /// Nothing, on a cell.
+    Undecided(Interval),
+}
+
+impl Outside<'_> {
+    /// Checks that the gap is open outside the neighbourhood of the ring, wherever g is below the indentation.
+    pub(super) fn check_elsewhere(&self, place: &Place, around: &Interval) -> Result<()> {
+        let far = self.far(place, around)?;
+        let cells = vec![(around.upper().clone(), far), (place.a.upper().clone(), around.lower().clone())];
+        match self.look(place, cells) {
+            Seen::Open => Ok(()),
+            Seen::Closed { radius, .. } => Err(self.open(&Interval::from_f64(place.a.ctx(), radius))),
+            Seen::Undecided(cell) => Err(self.open(&cell)),
+        }
+    }
+
+    /// What is certain of the gap everywhere outside the contact, up to the end of the profile.
+    ///
+    /// # Errors
+    /// [`Error::Unproved`](mdr_core::contact::Error::Unproved) where nothing is known of a radius beyond which it is open.
+    pub(super) fn look_everywhere(&self, place: &Place) -> Result<Seen> {
+        let far = match self.contact.transform().outer_radius() {
+            Some(outer) => Ok(outer.rounded(place.a.ctx()).upper().clone()),
+            None => self.far(place, &place.a),
+        };
+        // Surfaces that are not known to be open far away may overlap near the contact.
+        let near = || Float::with_val(BOUND_BITS, place.a.upper() << NEAR);
+        let to = far.as_ref().map_or_else(|_| near(), Float::clone);
+        let seen = self.look(place, vec![(place.a.lower().clone(), to)]);
+        if let Seen::Open = seen { far.map(|_| seen) } else { Ok(seen) }
+    }
+
+    /// What is certain of the gap on some cells, wherever g is below the indentation; the first that is not open ends it.
+    fn look(&self, place: &Place, mut cells: Vec<(Float, Float)>) -> Seen {
+        let last = self.profile.work() + HEIGHTS;
+        for _ in 0..CELLS {
+            let Some((from, to)) = cells.pop() else { return Seen::Open };
+            if self.profile.work() > last {
+                break;
+            }
+            let cell = Interval::new(from.clone(), to.clone());
+            let ratio = Float::with_val(BOUND_BITS, &to / &from);
+            if ratio <= WIDEST {
+                if self.is_above(&cell, &place.d) {
+                    continue;
+                }
+                match self.seen(place, &cell) {
+                    Seen::Open => continue,
+                    Seen::Undecided(_) if ratio > FINEST => {}
+                    other => return other,
+                }
+            }
+            let middle = Float::with_val(BOUND_BITS, (from.clone() * &to).sqrt_ref());
+            cells.extend([(middle.clone(), to), (from, middle)]);
+        }
+        Seen::Undecided(place.a.clone())
+    }
+
+    /// Whether g is certainly not below d on a cell.
+    fn is_above(&self, cell: &Interval, d: &Interval) -> bool {
+        let transform = self.contact.transform();
+        if transform.g(cell).is_ok_and(|g| g.lower() >= d.upper()) {
+            return true;
+        }
+        if least_before_end(transform, cell).is_some_and(|least| least.lower() >= d.upper()) {
+            return true;
+        }
+        let kinks = transform.kinks();
+        let mut within = kinks.iter().enumerate().filter(|(_, kink)| kink.overlaps(cell));
+        let (Some((index, kink)), None) = (within.next(), within.next()) else { return false };
+        least_beside(transform, index, kink, cell).is_some_and(|least| least.lower() >= d.upper())
+    }
+
+    /// What is certain of the gap on a cell outside the contact.
+    fn seen(&self, place: &Place, cell: &Interval) -> Seen {
+        let undecided = || Seen::Undecided(cell.clone());
+        let Ok([over, slope, _]) = self.gap(place, cell) else { return undecided() };
+        if *over.lower() > 0 {
+            return Seen::Open;
+        }
+        let radius = cell.midpoint();
+        let Ok([gap, ..]) = self.gap(place, &radius) else { return undecided() };
+        if *gap.upper() < 0 {
+            return Seen::Closed { radius: radius.approx(), gap: gap.approx() };
+        }
+        if *(gap + slope * (cell.clone() - radius)).lower() > 0 { Seen::Open } else { undecided() }
+    }
+
+    /// A radius beyond which the gap is open: f is above the indentation by more than the surface may rise there,
+    /// |u(r)| = (2/π) |∫₀ᵃ (d − g)/√(r² − x²) dx| ≤ (a/r) max |d − g|.
+    fn far(&self, place: &Place, around: &Interval) -> Result<Float> {
+        let Place { a, d } = place;
+        let inside = self.profile.range(&a.lit(0).hull(a)).ok_or_else(|| self.open(a))?;
+        let most = (d.clone() - inside).abs();
+        let kinks = self.profile.breaks().last().map_or_else(|| around.upper(), Interval::upper);
+        let mut from = Float::with_val(BOUND_BITS, around.upper().clone().max(kinks));
+        for octaves in (0..6).map(|power| 1u32 << power) {
+            from <<= octaves;
+            if self.is_open_from(&from, &(most.clone() * a), d) {
+                return Ok(from);
+            }
+        }
+        Err(self.open(around))
+    }
+
+    /// Whether f − d is above `reach`/r from a radius beyond all kinks out to the largest radii.
+    fn is_open_from(&self, from: &Float, reach: &Interval, d: &Interval) -> bool {
+        let first = octave(from);
+        let end = |octave: f64| if octave > first { Float::with_val(BOUND_BITS, octave).exp2() } else { from.clone() };
+        let is_open = |lower: f64, upper: f64| {
+            let r = Interval::new(end(lower), end(upper));
+            let height = self.profile.height(&r, self.profile.breaks().len());
+            let nearest = Interval::point(r.lower().clone());
+            self.profile.reaches(&r) && height.is_some_and(|f| *(f - d - reach.clone() / nearest).lower() > 0)
+        };
+        let mut open = vec![(first, FAR)];
+        for _ in 0..CELLS {
+            let Some((lower, upper)) = open.pop() else { return true };
+            if is_open(lower, upper) {
+                continue;
+            }
+            if upper - lower < 1e-3 || !is_open(lower, lower) {
+                return false;
+            }
+            let middle = if lower > 1.0 {
+                (lower * upper).sqrt()
+            } else {
+                lower + (upper - lower).sqrt().min((upper - lower) / 2.0)
+            };
+            open.extend([(middle, upper), (lower, middle)]);
+        }
+        false
+    }
+}
+
+/// A lower bound of g on a cell up to the end of the profile, or to where g diverges, on which it rises: g where the cell begins.
+fn least_before_end(transform: &dyn Transform<Interval>, cell: &Interval) -> Option<Interval> {
+    let outer = transform.outer_radius().filter(|outer| outer.overlaps(cell))?;
+    let start = Interval::point(cell.lower().clone());
+    let rises = transform.rises_beyond(&start) || {
+        let margin = ((outer.clone() - &start) / &outer).upper().clone();
+        let known = transform.kink(transform.kinks().len(), &Interval::point(margin)).ok()??;
+        *known.inside.least?.lower() >= 0
+    };
+    rises.then(|| transform.g(&start).ok())?
+}
+
+/// A lower bound of g on a cell that holds one kink, from g there and the slopes on both sides.
+fn least_beside(
+    transform: &dyn Transform<Interval>,
+    index: usize,
+    kink: &Interval,
+    cell: &Interval,
+) -> Option<Interval> {
+    let [before, after] = [cell.lower(), cell.upper()].map(|end| (Interval::point(end.clone()) - kink).abs());
+    let margin = (before.greater(&after) / kink).upper().clone();
+    let known = transform.kink(index, &Interval::point(margin)).ok()??;
+    let (g, _) = known.value?;
+    let zero = g.lit(0);
+    let inside = g.clone() - known.inside.greatest?.greater(&zero) * before;
+    let outside = g + known.outside.least?.lesser(&zero) * after;
+    Some(inside.lesser(&outside))
+}
