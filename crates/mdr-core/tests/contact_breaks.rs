@@ -100,7 +100,6 @@ fn what_is_no_profile_is_refused() {
     }
 }
 
-/// Of infinitely many kinks the first are found, with the radius up to which they are known.
 /// Arguments that are written in different ways switch at one radius where that is a rational number.
 #[test]
 fn switches_at_one_radius() {
@@ -128,6 +127,7 @@ fn switches_at_one_radius() {
     }
 }
 
+/// Of infinitely many kinks the first are found, with the radius up to which they are known.
 #[test]
 fn kinks_without_end() {
     let found = profile("abs(sin(pi*r)) + r^2", &[]);

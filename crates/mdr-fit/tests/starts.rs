@@ -183,11 +183,11 @@ fn an_error_of_x_that_is_not_stated_is_named() {
         let fit = record.problem(tip, &curve, &FOUR).fit().unwrap();
         fit.warnings.iter().any(|warning| warning.contains("taken for exact"))
     };
-    let records = |noise: f64| (0..12).map(move |seed| Record { noise, seed, rows: 150, ..USUAL });
+    let records = |noise: f64| (0..20).map(move |seed| Record { noise, seed, rows: 150, ..USUAL });
     let missed = records(2e-2).filter(|record| !named(record, 0.5)).count();
-    assert!(missed == 0, "{missed} of 12 are not named");
+    assert!(missed == 0, "{missed} of 20 are not named");
     let wrong = records(2e-2).chain(records(1e-1)).filter(|record| named(record, 0.0)).count();
-    assert!(wrong == 0, "{wrong} of 24 exact records are named");
+    assert!(wrong == 0, "{wrong} of 40 exact records are named");
 }
 
 /// Where a record ends at the fold, nothing bounds the place of the fold from beyond: a fold that is held there tells nothing of the errors,
@@ -240,13 +240,7 @@ fn an_approach_alone_is_fitted_at_the_least() {
 #[test]
 fn a_common_factor_of_sigma_moves_no_estimate() {
     let tips = tips();
-    // All of them for one tip, those that are met in practice for the others.
-    let factors = [1e-6, 0.03, 30.0, 1e-294, 1e-100, 1e6, 1e100, 1e290];
-    for (tip, stiffness, x_share, factors) in [
-        (&tips[0], None, 0.0, &factors[..]),
-        (&tips[1], None, 2e-3, &factors[..3]),
-        (&tips[3], Some(40.0), 2e-3, &factors[..3]),
-    ] {
+    for (tip, stiffness, x_share) in [(&tips[0], None, 0.0), (&tips[1], None, 2e-3), (&tips[3], Some(40.0), 2e-3)] {
         let record = Record { stiffness, noise: 2e-2, ..USUAL };
         let curve = record.curve(tip);
         let span = curve.x[0] - curve.x[curve.x.len() - 1];
@@ -257,7 +251,7 @@ fn a_common_factor_of_sigma_moves_no_estimate() {
         };
         let plain = fit(1.0);
         assert_eq!(plain.status, FitStatus::Fitted, "{}", plain.reason);
-        for &factor in factors {
+        for factor in [1e-294, 1e-100, 1e-6, 0.03, 30.0, 1e6, 1e100, 1e290] {
             let other = fit(factor);
             let status = if factor < 0.1 { FitStatus::PoorFit } else { FitStatus::Fitted };
             assert_eq!(other.status, status, "{factor}: {}", other.reason);
@@ -281,7 +275,7 @@ fn a_common_factor_of_sigma_moves_no_estimate() {
 /// Numbers that are typed far off: starting values and given values.
 #[test]
 fn absurd_numbers_are_answered_or_refused() {
-    for tip in tips().into_iter().step_by(2) {
+    for tip in tips() {
         let curve = USUAL.curve(&tip);
         let problem = || USUAL.problem(&tip, &curve, &THREE);
         for (name, value) in ["e_star", "work_of_adhesion"]

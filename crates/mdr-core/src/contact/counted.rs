@@ -111,7 +111,7 @@ impl EvaluationCounter {
         self.budget.spent()
     }
 
-    /// The budget.
+    /// The budget from which the evaluations are paid, for work that is no evaluation.
     pub fn budget(&self) -> &Arc<Budget> {
         &self.budget
     }

@@ -149,7 +149,7 @@ pub enum Error {
     /// The work that may be spent on an answer was spent before it was found.
     #[error(
         "the budget was spent, with {evaluations} evaluations of g in this arithmetic so far, before this was decided; a larger \
-         one may decide it, or a range of contact radii to look at"
+         budget, or a narrower range of contact radii, may decide it"
     )]
     BudgetSpent {
         /// Evaluations of g, of its slope and of its integral so far.

@@ -107,7 +107,7 @@ pub(super) fn graded<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R:
     let stiffness = closed.medium().punch_stiffness(&near)? * R::from_f64(ctx, stretch);
     let folds = match trial.closed.graded_machine_folds(&closed, &stiffness) {
         // On springs a fold goes to radii without bound as n goes to 2: `graded-folds` compares it in logarithms.
-        Err(Error::OutOfRange { .. }) => return Ok(()),
+        Err(Error::OutOfRange { .. }) if k == 1.0 => return Ok(()),
         folds => folds?,
     };
     let on_machine = contact(Control::Machine { stiffness })?;

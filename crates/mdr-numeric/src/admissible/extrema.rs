@@ -75,26 +75,6 @@ impl Terrain {
         terrain
     }
 
-    /// g between extrema that are known to be all between two radii; beyond them it rises.
-    #[cfg(feature = "mp")]
-    pub(super) fn of_extrema(transform: Arc<dyn Transform<f64>>, extrema: &[f64], searched: [f64; 2]) -> Self {
-        let upper = transform.outer_radius().unwrap_or(searched[1]);
-        let mut radii = transform.kinks();
-        radii.extend(extrema.iter().filter(|radius| !transform.kinks().contains(radius)));
-        radii.sort_by(f64::total_cmp);
-        let terrain = Terrain {
-            transform,
-            edges: Vec::new(),
-            least: Vec::new(),
-            resolved: true,
-            width: 0.0,
-            // Beyond the last radius g rises.
-            searched: [searched[0], f64::INFINITY],
-            panels: Vec::new(),
-        };
-        terrain.with_edges(&radii, upper)
-    }
-
     /// The edges at ascending radii, and beyond `upper` where g falls there.
     fn with_edges(self, radii: &[f64], upper: f64) -> Self {
         let mut terrain = self;

@@ -20,8 +20,7 @@ mod gap;
 mod proved;
 mod refine;
 
-use std::ops::Deref;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, LazyLock};
 
 #[cfg(feature = "mp")]
 use mdr_core::contact::LowestRing;
@@ -61,32 +60,19 @@ pub struct Admissibility {
     touch: Option<FirstTouch>,
     /// Why nothing is known.
     unknown: Option<&'static str>,
-    /// Whether the extrema of g are proved to be all.
-    isolated: bool,
+    /// Whether enclosures prove that g falls nowhere.
+    is_rising: bool,
     /// By which each verdict is proved.
     #[cfg(feature = "mp")]
     gaps: Option<Arc<crate::proof::EnclosedGaps>>,
 }
 
 /// The extrema of g, which are searched when something needs them, and once.
-struct LazyTerrain {
-    transform: Arc<dyn Transform<f64>>,
-    radii: [f64; 2],
-    searched: OnceLock<Terrain>,
-}
+type LazyTerrain = LazyLock<Terrain, Box<dyn FnOnce() -> Terrain + Send + Sync>>;
 
-impl LazyTerrain {
-    fn new(transform: Arc<dyn Transform<f64>>, radii: [f64; 2]) -> Option<Arc<Self>> {
-        Some(Arc::new(LazyTerrain { transform, radii, searched: OnceLock::new() }))
-    }
-}
-
-impl Deref for LazyTerrain {
-    type Target = Terrain;
-
-    fn deref(&self) -> &Terrain {
-        self.searched.get_or_init(|| Terrain::new(Arc::clone(&self.transform), self.radii))
-    }
+/// The search of extrema between two radii, not made yet.
+fn searched(transform: Arc<dyn Transform<f64>>, radii: [f64; 2]) -> Option<Arc<LazyTerrain>> {
+    Some(Arc::new(LazyLock::new(Box::new(move || Terrain::new(transform, radii)))))
 }
 
 /// Where the separated surfaces of a formula first touch, as far as enclosures of f decide it.
@@ -157,8 +143,8 @@ pub enum Basis {
     Bound,
     /// The gap was enclosed everywhere outside the contact, for each state that is decided.
     Proved,
-    /// The extrema of g were isolated by enclosures, each one proved and none missed.
-    Isolated,
+    /// Enclosures prove that g falls nowhere.
+    Rising,
     /// The extrema of g were searched in double precision, and g was resolved everywhere.
     Searched,
     /// The search did not resolve g everywhere: an interpenetration that is found is certain, but others may exist.
@@ -183,13 +169,13 @@ impl Admissibility {
         if transform.rises() {
             return Self::of_rising();
         }
-        Admissibility { terrain: LazyTerrain::new(transform, radii), ..Self::of_rising() }
+        Admissibility { terrain: searched(transform, radii), ..Self::of_rising() }
     }
 
     /// For a transformed formula or function of which nothing else is proved. The extrema are searched as by [`Admissibility::new`], but
     /// interpenetrations that the search does not find may exist.
     pub fn of_formula(transform: Arc<dyn Transform<f64>>, radii: [f64; 2], touch: FirstTouch) -> Self {
-        Admissibility { terrain: LazyTerrain::new(transform, radii), touch: Some(touch), ..Self::of_rising() }
+        Admissibility { terrain: searched(transform, radii), touch: Some(touch), ..Self::of_rising() }
     }
 
     /// For a profile with nondecreasing g: every state is admissible.
@@ -198,7 +184,7 @@ impl Admissibility {
             terrain: None,
             touch: None,
             unknown: None,
-            isolated: false,
+            is_rising: false,
             #[cfg(feature = "mp")]
             gaps: None,
         }
@@ -243,10 +229,9 @@ impl Admissibility {
             return Basis::Proved;
         }
         match &self.terrain {
-            None if self.unknown.is_some() => Basis::Doubtful,
-            None if self.isolated => Basis::Isolated,
-            None => Basis::Bound,
-            Some(_) if self.isolated => Basis::Isolated,
+            None if self.holds_by_form() => Basis::Bound,
+            None if self.is_rising => Basis::Rising,
+            None => Basis::Doubtful,
             Some(terrain) => match &self.touch {
                 Some(touch) if terrain.width.is_finite() => {
                     Basis::Unproved { width: terrain.width, heights: touch.heights() }
@@ -257,9 +242,10 @@ impl Admissibility {
         }
     }
 
-    /// Whether every state is admissible by the form of the profile, [`Basis::Bound`].
-    pub fn is_of_rising(&self) -> bool {
-        self.terrain.is_none() && self.unknown.is_none() && !self.isolated
+    /// Whether every state is admissible by the form of the profile: the [basis](Admissibility::basis) is [`Basis::Bound`]. This
+    /// needs no search.
+    pub fn holds_by_form(&self) -> bool {
+        self.terrain.is_none() && self.unknown.is_none() && !self.is_rising
     }
 
     /// Whether anything is known of a state.
@@ -279,7 +265,7 @@ impl Admissibility {
         let apart = if !terrain.knows(a) {
             GapVerdict::Undecided("g is not resolved everywhere outside the contact")
         } else {
-            match self.touch.as_ref().filter(|_| !self.isolated).map(FirstTouch::heights) {
+            match self.touch.as_ref().map(FirstTouch::heights) {
                 Some(HeightSource::Formula) => {
                     GapVerdict::Undecided("the formula may dip between the radii at which g was looked at")
                 }

@@ -1,27 +1,16 @@
-//! Admissibility by enclosures: extrema of g that are proved to be all, and gaps that are proved to be open or closed.
+//! Admissibility by enclosures: g that is proved to fall nowhere, and gaps that are proved to be open or closed.
 
 use std::sync::Arc;
 
-use mdr_core::contact::Transform;
 use mdr_core::number::{Interval, Real};
 
-use super::extrema::Terrain;
-use super::{Admissibility, FirstTouch, GapVerdict, LazyTerrain};
+use super::{Admissibility, FirstTouch, GapVerdict};
 use crate::proof::EnclosedGaps;
 
 impl Admissibility {
     /// For a transform whose g falls nowhere, which is proved by enclosures: every state is admissible on any medium.
     pub fn of_proved_rise() -> Self {
-        Admissibility { isolated: true, ..Self::of_rising() }
-    }
-
-    /// For a transform whose extrema between two radii are proved to be all, g rising beyond; what is known of the first touch
-    /// stays. The gap between them is computed in doubles.
-    #[must_use]
-    pub fn with_extrema(&self, transform: Arc<dyn Transform<f64>>, extrema: &[f64], range: [f64; 2]) -> Self {
-        let searched = Terrain::of_extrema(Arc::clone(&transform), extrema, range).into();
-        let terrain = Some(Arc::new(LazyTerrain { transform, radii: range, searched }));
-        Admissibility { terrain, isolated: true, unknown: None, ..self.clone() }
+        Admissibility { is_rising: true, ..Self::of_rising() }
     }
 
     /// With enclosures of the gap, by which each state is [decided](Admissibility::decided) with a proof.
@@ -36,21 +25,17 @@ impl Admissibility {
     pub fn decided(&self, a: &Interval, d: &Interval) -> GapVerdict {
         let searched = || self.of(a.approx(), d.approx());
         let Some(gaps) = &self.gaps else { return searched() };
-        match &self.touch {
+        let known = match &self.touch {
             Some(FirstTouch::Ring(ring)) => {
                 let [radius, _] = ring.at::<f64>(());
-                if let Some(gap) = gaps.overlap(a, d, radius) {
-                    return GapVerdict::Interpenetrating { radius, gap };
-                }
+                gaps.overlap(a, d, radius).map(|gap| GapVerdict::Interpenetrating { radius, gap })
             }
-            Some(_) => {}
-            None => {
-                let verdict = searched();
-                if matches!(verdict, GapVerdict::Interpenetrating { radius, .. } if gaps.is_closed(a, d, radius)) {
-                    return verdict;
-                }
-            }
-        }
-        gaps.verdict(a, d)
+            Some(FirstTouch::Tip | FirstTouch::Open { .. }) => None,
+            None => Some(searched()).filter(|verdict| match verdict {
+                GapVerdict::Interpenetrating { radius, .. } => gaps.is_closed(a, d, *radius),
+                GapVerdict::Admissible | GapVerdict::Undecided(_) => false,
+            }),
+        };
+        known.unwrap_or_else(|| gaps.verdict(a, d))
     }
 }

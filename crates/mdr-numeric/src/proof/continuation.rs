@@ -47,7 +47,7 @@ pub struct Continuation {
     cells: Vec<[Interval; 2]>,
     /// k, if f is analytic at the axis as a function of r^(1/k) alone; else 1.
     root: u32,
-    /// Counted over intervals.
+    /// The heights that were evaluated, counted over intervals.
     heights: AtomicU64,
 }
 
@@ -79,6 +79,11 @@ impl Continuation {
         self.heights.load(Ordering::Relaxed)
     }
 
+    /// Counts a height over a set.
+    fn count<T: Analytic>(&self) {
+        self.heights.fetch_add(T::WORK, Ordering::Relaxed);
+    }
+
     /// Whether f is known up to a radius.
     pub(super) fn reaches(&self, x: &Interval) -> bool {
         self.terms.iter().all(|term| {
@@ -95,14 +100,14 @@ impl Continuation {
 
     /// f after so many kinks.
     pub(super) fn height<T: Analytic>(&self, r: &T, beyond: usize) -> Option<T> {
-        self.heights.fetch_add(T::WORK, Ordering::Relaxed);
+        self.count::<T>();
         let values = self.terms.iter().map(|term| term.part(self.index(term, beyond))?.at(r));
         sum(values)
     }
 
     /// Δ at a kink, of the terms that change there.
     fn change<T: Analytic>(&self, r: &T, kink: usize) -> Option<T> {
-        self.heights.fetch_add(T::WORK, Ordering::Relaxed);
+        self.count::<T>();
         let of = |term: &EnclosedFormula| {
             let [before, after] = [kink, kink + 1].map(|beyond| self.index(term, beyond));
             (before != after).then_some((before, after))
@@ -143,7 +148,7 @@ impl Continuation {
     /// g before the first kink, over a set of q = x^(1/k) that may hold the axis, with the [k](Self::root) of the profile.
     pub(super) fn g_at_root<T: Analytic>(&self, q: &T) -> Option<T> {
         mean(self.cells.iter().map(|[sine, _]| {
-            self.heights.fetch_add(T::WORK, Ordering::Relaxed);
+            self.count::<T>();
             let order = sine.lit(1).over(i64::from(self.root));
             let q = Euler::root(&q.scaled(&sine.pow(&order)), self.root, 1);
             let of = |term: &EnclosedFormula| {

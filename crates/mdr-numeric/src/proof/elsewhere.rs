@@ -14,18 +14,18 @@ const CELLS: usize = 4000;
 const WIDEST: f64 = 1.03;
 /// or narrower than this when nothing is decided.
 const FINEST: f64 = 1.0 + 1e-9;
-/// So many octaves beyond a contact an overlap is looked for where the gap is not known to be open far away.
+/// The octaves beyond a contact in which an overlap is looked for where the gap is not known to be open far away.
 const NEAR: u32 = 4;
-/// The most heights for a contact, about a second.
+/// The most heights of f, counted over intervals, that are spent on a contact: about a second.
 const HEIGHTS: u64 = 200_000;
 
-/// What is certain of the gap.
+/// What is certain of the gap on some radii.
 pub(super) enum Seen {
     /// It is nowhere negative.
     Open,
-    /// It is negative at a radius.
+    /// It is negative at this radius.
     Closed { radius: f64, gap: f64 },
-    /// Nothing, on a cell.
+    /// Nothing is certain on this cell.
     Undecided(Interval),
 }
 

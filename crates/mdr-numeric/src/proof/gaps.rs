@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use mdr_core::contact::{Budget, Result};
-use mdr_core::number::{Interval, Real};
+use mdr_core::number::Interval;
 
 use super::continuation::Continuation;
 use super::elsewhere::Seen;
@@ -38,7 +38,7 @@ const NOT_DECIDED: &str = "enclosures of the gap outside the contact do not deci
 pub struct EnclosedGaps {
     contact: Contact<Interval>,
     profile: Option<Continuation>,
-    /// With what a height costs.
+    /// The budget from which heights are paid, and what each costs.
     budget: Option<(Arc<Budget>, u64)>,
 }
 
@@ -50,14 +50,14 @@ impl EnclosedGaps {
         Ok(EnclosedGaps { contact, profile, budget: None })
     }
 
-    /// Spends a weight for each height from a budget; when that is spent nothing is decided.
+    /// The gaps, with a budget from which each height of the profile is paid by its `weight`; once it is spent nothing is decided.
     #[must_use]
     pub fn within(self, budget: &Arc<Budget>, weight: u64) -> Self {
         EnclosedGaps { budget: Some((Arc::clone(budget), weight)), ..self }
     }
 
-    /// Whether no gap outside a contact of radius a at the indentation d is negative, up to the end of the profile, or one is; each with
-    /// a proof.
+    /// Whether a contact of radius a at the indentation d is admissible, as far as it is proved: no gap outside it is negative up to
+    /// the end of the profile, or the gap at some radius is.
     pub fn verdict(&self, a: &Interval, d: &Interval) -> GapVerdict {
         let transform = self.contact.transform();
         if transform.rises_beyond(a) && transform.g(a).is_ok_and(|g| g.lower() >= d.upper()) {
@@ -83,11 +83,10 @@ impl EnclosedGaps {
 
     /// The gap at a radius, if it is proved that it is negative.
     pub fn overlap(&self, a: &Interval, d: &Interval, r: f64) -> Option<f64> {
-        let gap = self.spending(a, d, |outside, place| outside.gap_at(place, &Interval::from_f64(place.a.ctx(), r)))?;
-        (*gap.upper() < 0).then(|| gap.approx())
+        self.spending(a, d, |outside, place| outside.overlap(place, r))?
     }
 
-    /// What is known outside a contact, for which the heights are paid.
+    /// What `look` sees outside a contact, with its heights paid from the budget; `None` if it sees nothing, or the budget is spent.
     fn spending<T>(
         &self,
         a: &Interval,

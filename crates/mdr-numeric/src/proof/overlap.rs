@@ -14,13 +14,14 @@
 
 use std::ops::RangeInclusive;
 
+use mdr_core::calculus::enclose::BOUND_BITS;
+use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
+use mdr_core::number::{Euler, Interval, Precision, Real, Special};
+
 use super::continuation::{Continuation, leg};
 use super::fields::moments;
 use crate::admissible::Ring;
 use crate::contact::Contact;
-use mdr_core::calculus::enclose::BOUND_BITS;
-use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
-use mdr_core::number::{Euler, Interval, Precision, Real, Special};
 
 /// The most steps of Newton's iteration, each of which nearly doubles the digits of doubles.
 const STEPS: usize = 24;
@@ -116,13 +117,13 @@ impl Outside<'_> {
 
     /// Whether the surfaces of an equilibrium certainly overlap at a radius.
     pub(super) fn overlaps(&self, a: &Interval, r: f64) -> Result<bool> {
-        let gap = self.gap_at(&self.equilibrium(a.clone())?, &Interval::from_f64(a.ctx(), r))?;
-        Ok(*gap.upper() < 0)
+        Ok(self.overlap(&self.equilibrium(a.clone())?, r)?.is_some())
     }
 
-    /// The gap at a radius.
-    pub(super) fn gap_at(&self, place: &Place, r: &Interval) -> Result<Interval> {
-        self.gap(place, r).map(|[gap, ..]| gap)
+    /// The gap at a radius, if it is certainly negative.
+    pub(super) fn overlap(&self, place: &Place, r: f64) -> Result<Option<f64>> {
+        let [gap, ..] = self.gap(place, &Interval::from_f64(place.a.ctx(), r))?;
+        Ok((*gap.upper() < 0).then(|| gap.approx()))
     }
 
     /// The last admissible state of a stable branch and the ring, from approximations of both.

@@ -88,9 +88,8 @@ pub fn described(basis: Basis) -> Cow<'static, str> {
             "decided from enclosures of the gap everywhere outside of the contact: of each state that is called admissible, or not, \
              this is proved"
         }
-        Basis::Isolated => {
-            "decided from the extrema of g, which were isolated by enclosures and are proved to be all, and from the gap, in f64, \
-             wherever g is below the indentation"
+        Basis::Rising => {
+            "every state is: enclosures prove that g falls nowhere, so that no gap closes outside of a contact"
         }
         Basis::Searched => {
             "decided in f64 from the extrema of g, which were searched and resolved, and from the gap wherever g is below the \

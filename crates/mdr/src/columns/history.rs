@@ -1,7 +1,6 @@
 //! The history of a contact while the controlled quantity moves slowly from value to value.
 
 use mdr_core::contact::{self, Control, Error, Result, Status};
-use mdr_numeric::admissible::Basis;
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{self, Dissipation, EventKind, Path, PathEnergy, Start};
@@ -96,7 +95,7 @@ impl ContactColumns {
         let control = branches.control();
         values.iter().try_for_each(|value| control.check_value(value))?;
         // Where g may fall, surfaces may touch on a ring before they do at the tip.
-        let touch = if branches.admissibility().basis() == Basis::Bound { 0.0 } else { f64::NEG_INFINITY };
+        let touch = if branches.admissibility().holds_by_form() { 0.0 } else { f64::NEG_INFINITY };
         let (mut done, mut stride, mut last) = (0, 1, None);
         while done < values.len() {
             let before = done;

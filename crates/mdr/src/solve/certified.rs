@@ -66,16 +66,15 @@ impl<'s> Certified<'s> {
                 return Ok(Arc::new(Admissibility::of_rising()));
             }
             let searched = self.search()?.admissibility();
-            if searched.is_of_rising() {
+            if searched.holds_by_form() {
                 return Ok(searched);
             }
             if let Some(gaps) = proof::gaps(self)? {
                 return Ok(Arc::new(searched.as_ref().clone().with_gaps(gaps)));
             }
-            // A formula may rise, though its form does not say so; of a table the gap is not enclosed.
-            let by_extrema = self.scene.is_by_integrals() || self.scene.profile.rows().is_some();
-            let isolated = if by_extrema { proof::isolated(self, &searched)? } else { None };
-            Ok(isolated.map_or(searched, Arc::new))
+            // A formula may rise, though its form does not say so.
+            let rising = if self.scene.is_by_integrals() { proof::of_proved_rise(self)? } else { None };
+            Ok(rising.map_or(searched, Arc::new))
         });
         found.cloned()
     }

@@ -8,7 +8,7 @@ use mdr_numeric::proof::{EnclosedCurve, EnclosedGaps, ProvedFolds, rises_from};
 use rug::Float;
 use rug::float::Round;
 
-use super::certified::{Certified, PROVED_ROWS};
+use super::certified::Certified;
 use super::model::{Model, SceneReal};
 use super::sample;
 use super::weight::weight;
@@ -98,18 +98,12 @@ fn range(certified: &Certified<'_>) -> Result<[Literal; 2]> {
     sample::range(&search.model, search.folds()?, &search.visited(), by_integrals)
 }
 
-/// The relative error of g in doubles at its extrema.
-const SEEN: f64 = 1e-9;
-
-/// Admissibility from extrema of g that are proved to be all on the range of the folds, g rising beyond; `None` if they are not.
+/// Admissibility on a medium where g is an integral that is proved to fall nowhere: no extrema on the range of the folds, and a rise beyond.
+/// `None` if that is not proved.
 ///
 /// # Errors
 /// Errors of the search for folds; a parameter out of its domain.
-pub(super) fn isolated(certified: &Certified<'_>, searched: &Admissibility) -> Result<Option<Admissibility>> {
-    let scene = certified.scene;
-    if !(scene.is_closed() || scene.is_enclosed()) || scene.profile.rows().is_some_and(|rows| rows > PROVED_ROWS) {
-        return Ok(None);
-    }
+pub(super) fn of_proved_rise(certified: &Certified<'_>) -> Result<Option<Admissibility>> {
     let range = range(certified)?;
     let precision = Precision::new(ISOLATION);
     let curve = Enclosed::new(certified, precision)?.curve();
@@ -119,25 +113,8 @@ pub(super) fn isolated(certified: &Certified<'_>, searched: &Admissibility) -> R
     if !rises_beyond {
         return Ok(None);
     }
-    let Some(Some(extrema)) = decided(curve.extrema(lower.lower(), upper.upper(), BUDGET_OF_ROWS))? else {
-        return Ok(None);
-    };
-    // The gap between extrema is that of a half-space; without any, no gap closes on any medium.
-    if !certified.scene.pressed_into().is_half_space() {
-        return Ok(extrema.is_empty().then(Admissibility::of_proved_rise));
-    }
-    let transform = std::sync::Arc::clone(certified.search()?.model.contact().shared_transform());
-    // In doubles a quadrature may miss what the integral found.
-    for extremum in &extrema {
-        let middle = extremum.mid();
-        let g = proved.g(&Interval::point(middle.clone()))?.approx();
-        if !transform.g(&middle.to_f64()).is_ok_and(|seen| (seen - g).abs() <= SEEN * g.abs()) {
-            return Ok(None);
-        }
-    }
-    let extrema: Vec<f64> = extrema.iter().map(|extremum| extremum.mid().to_f64()).collect();
-    let range = [lower.lower(), upper.upper()].map(Float::to_f64);
-    Ok(Some(searched.with_extrema(transform, &extrema, range)))
+    let extrema = decided(curve.extrema(lower.lower(), upper.upper(), BUDGET_OF_ROWS))?.flatten();
+    Ok(extrema.is_some_and(|extrema| extrema.is_empty()).then(Admissibility::of_proved_rise))
 }
 
 /// Enclosures of the gap outside a contact on a half-space; `None` of a table.

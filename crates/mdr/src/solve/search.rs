@@ -55,7 +55,7 @@ impl<'s> Search<'s> {
     /// The admissible states: searched when they are needed, and once, around the folds that were found.
     pub(crate) fn admissibility(&self) -> Arc<Admissibility> {
         let search = || {
-            let radii = if self.model.transform().rises() { Vec::new() } else { self.radii_of_folds() };
+            let radii = if self.model.transform().rises() { Vec::new() } else { self.notable_radii() };
             let length = self.model.contact().material_length();
             let transform = Arc::clone(self.model.contact().shared_transform());
             Arc::new(admissible::on_medium(&self.scene.profile, &self.scene.medium, transform, length, &radii))
@@ -63,8 +63,8 @@ impl<'s> Search<'s> {
         Arc::clone(self.admissibility.get_or_init(search))
     }
 
-    /// The radii of the folds that were found, if they are; for a proof on a range of radii its ends.
-    fn radii_of_folds(&self) -> Vec<f64> {
+    /// Contact radii around which g matters: of the folds that were found, or the ends of the range on which folds are to be proved.
+    fn notable_radii(&self) -> Vec<f64> {
         match &self.scene.range {
             Some(range) if self.radii_suffice => range.iter().map(Literal::nearest_f64).collect(),
             _ => self.folds().ok().into_iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius)).collect(),

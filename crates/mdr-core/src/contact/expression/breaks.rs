@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 use rug::Float;
 
+use super::switch::MaybeZero;
 use super::{Constant, Expression, ExpressionError, ExpressionProfile, Function, Node, Operator};
 use crate::calculus::roots::{self, Bracket};
 use crate::number::{Dual, Interval, Literal, Precision, Real, Special};
@@ -252,7 +253,7 @@ fn factors(node: &Node<Constant>, found: &mut Vec<Node<Constant>>) {
 }
 
 fn is_zero(node: &Node<Constant>) -> bool {
-    matches!(node, Node::Constant(Constant::Literal(literal)) if literal.is_zero())
+    matches!(node, Node::Constant(constant) if constant.is_zero())
 }
 
 /// Whether two radii are equal to about the precision of doubles.

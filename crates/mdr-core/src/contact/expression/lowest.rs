@@ -12,7 +12,7 @@ use rug::Float;
 
 use super::breaks::SEARCHED;
 use super::jet::Jet;
-use super::{Breaks, Constant, Expression, ExpressionError, FUNCTION, Node};
+use super::{Breaks, Constant, Expression, ExpressionError, Node};
 use crate::number::{Dual, Interval, Literal, Precision, Real};
 
 /// Bits of the enclosures.
@@ -67,7 +67,7 @@ impl Expression {
         let root = self.with_values(values)?;
         let outer = breaks.outer_radius(BITS);
         let end = outer.clone().unwrap_or_else(|| Float::with_val(BITS, SEARCHED.1));
-        let budget = BUDGET.min((OPERATIONS / root.operations(&|_| FUNCTION).max(1)) as usize);
+        let budget = BUDGET.min((OPERATIONS / self.operations().max(1)) as usize);
         let cells = Cells { root: root.bound(Precision::new(BITS)), end, bounded: outer.is_some(), budget };
         let rises = cells.rise_from(Float::with_val(BITS, SEARCHED.0))
             || cells.rising_tip(&root).is_some_and(|tip| cells.rise_from(tip));

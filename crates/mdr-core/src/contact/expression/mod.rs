@@ -251,7 +251,8 @@ impl Expression {
         self.root.operations(&|_| FUNCTION)
     }
 
-    /// The [operations](Expression::operations) over complex sets, where logarithms, powers and inverse functions are dearer.
+    /// The number of operations of a height over a complex set, a function counted as twenty, a logarithm or a power as forty, and an
+    /// inverse function as a hundred: what it costs there.
     pub fn complex_operations(&self) -> u64 {
         self.root.operations(&|function| match function {
             None | Some(Function::Ln | Function::Log10) => 2 * FUNCTION,
@@ -273,7 +274,7 @@ impl Expression {
 }
 
 impl<C> Node<C> {
-    /// With the cost of each function, and of a power.
+    /// The number of operations, with the `cost` of each function, and of a power for `None`.
     fn operations(&self, cost: &dyn Fn(Option<Function>) -> u64) -> u64 {
         let of = |node: &Node<C>| node.operations(cost);
         match self {

@@ -7,16 +7,24 @@ use super::enclosed::combined;
 use super::{Constant, Function, Node, Operator};
 use crate::number::{Analytic, Euler, Interval, Real};
 
-/// The bits and powers of exact numbers, beyond which none is computed.
+/// Exact numbers of more bits are not computed,
 const MOST_EXACT_BITS: u32 = 1 << 14;
+/// and no higher powers.
 const MOST_EXACT_POWER: i32 = 64;
 
-/// The argument u of each `abs(u)`, or the difference of those of `min` and `max`, that changes its sign at a break.
+/// The arguments of `abs`, `min` and `max` that change their signs at a break.
 pub(super) struct Switch {
-    /// With the sign of u before the break.
-    arguments: Vec<(Node<Interval>, bool)>,
-    /// The arguments exactly, in their order.
-    exact: Vec<Node<Constant>>,
+    arguments: Vec<Argument>,
+}
+
+/// The argument u of `abs(u)`, or the difference of those of `min` and `max`.
+struct Argument {
+    /// Over enclosures of its constants.
+    node: Node<Interval>,
+    /// With its constants as they are written.
+    exact: Node<Constant>,
+    /// Its sign before the break.
+    is_positive: bool,
 }
 
 impl Switch {
@@ -28,39 +36,37 @@ impl Switch {
         beside: &[Option<Interval>],
     ) -> Option<Switch> {
         let [Some(before), Some(after)] = beside else { return None };
-        let (mut all, mut all_exact) = (Vec::new(), Vec::new());
-        tree.switches(&mut all);
-        root.switches(&mut all_exact);
-        let mut arguments: Vec<(Node<Interval>, bool)> = Vec::new();
-        let mut exact = Vec::new();
-        for (argument, exactly) in all.into_iter().zip(all_exact) {
-            let signs = [is_positive(&argument, before)?, is_positive(&argument, after)?];
+        let (mut nodes, mut exact) = (Vec::new(), Vec::new());
+        tree.switches(&mut nodes);
+        root.switches(&mut exact);
+        let mut arguments: Vec<Argument> = Vec::new();
+        for (node, exact) in nodes.into_iter().zip(exact) {
+            let signs = [is_positive(&node, before)?, is_positive(&node, after)?];
             if signs[0] != signs[1] {
-                if !arguments.iter().any(|(known, _)| known.is_same(&argument)) {
-                    arguments.push((argument, signs[0]));
-                    exact.push(exactly);
+                if !arguments.iter().any(|known| known.node.is_same(&node)) {
+                    arguments.push(Argument { node, exact, is_positive: signs[0] });
                 }
-            } else if argument.value(cell).contains_zero() {
+            } else if node.value(cell).contains_zero() {
                 // It may touch zero.
                 return None;
             }
         }
-        Some(Switch { arguments, exact })
+        Some(Switch { arguments })
     }
 
-    /// Whether they are one, or vanish at one rational radius in an interval that has a zero of each.
+    /// Whether there is one argument, or all of them vanish at one rational radius in an interval that holds a zero of each.
     pub(super) fn is_at_one_radius(&self, tight: &Interval) -> bool {
         let [_, _, ..] = &self.arguments[..] else { return true };
         let Some(radius) = simplest(tight) else { return false };
-        self.exact.iter().all(|argument| argument.rational(&radius).is_some_and(|value| value == 0))
+        self.arguments.iter().all(|argument| argument.exact.rational(&radius).is_some_and(|value| value == 0))
     }
 
-    /// Whether all of them change their signs within a tight interval of a cell, and nowhere else in the cell.
+    /// Whether all arguments change their signs within a tight interval of a cell, and nowhere else in the cell.
     pub(super) fn is_only_within(&self, cell: &Interval, tight: &Interval) -> bool {
-        self.arguments.iter().all(|(argument, positive)| {
-            let Some(over) = argument.analytic(&Euler::variable(cell, 1)) else { return false };
-            let ends = [tight.lower(), tight.upper()].map(|end| is_positive(argument, &Interval::point(end.clone())));
-            !over.derivative(1).contains_zero() && ends == [Some(*positive), Some(!*positive)]
+        self.arguments.iter().all(|Argument { node, is_positive: before, .. }| {
+            let Some(over) = node.analytic(&Euler::variable(cell, 1)) else { return false };
+            let ends = [tight.lower(), tight.upper()].map(|end| is_positive(node, &Interval::point(end.clone())));
+            !over.derivative(1).contains_zero() && ends == [Some(*before), Some(!*before)]
         })
     }
 }
@@ -164,11 +170,11 @@ impl Node<Interval> {
 
     /// The derivatives on both sides of a break where a switch has an argument that may be zero there.
     fn switched_sides(&self, argument: &Node<Interval>, r: &Euler<Interval>, switch: &Switch) -> Option<Sides> {
-        let Some((_, positive)) = switch.arguments.iter().find(|(known, _)| known.is_same(argument)) else {
+        let Some(known) = switch.arguments.iter().find(|known| known.node.is_same(argument)) else {
             return self.switched(is_positive(argument, r.value())?).sides(r, switch);
         };
-        let (before, after) = (*positive, !*positive);
-        let [before, after] = [before, after].map(|positive| self.switched(positive).sides(r, switch));
+        let signs = [known.is_positive, !known.is_positive];
+        let [before, after] = signs.map(|positive| self.switched(positive).sides(r, switch));
         let (before, after) = (before?.before, after?.after);
         let value = match self {
             Node::Function(..) => r.value().lit(0),
@@ -178,8 +184,9 @@ impl Node<Interval> {
     }
 }
 
-/// Constants of which it is known whether they are zero.
+/// A constant of a formula, in any of its forms.
 pub(super) trait MaybeZero: Clone {
+    /// Whether it is certainly zero.
     fn is_zero(&self) -> bool;
 }
 
@@ -197,7 +204,7 @@ impl MaybeZero for Constant {
 
 impl<C: MaybeZero> Node<C> {
     /// The arguments whose signs matter: of `abs`, of the root of a square, and the differences of those of `min` and `max`.
-    pub(super) fn switches(&self, found: &mut Vec<Node<C>>) {
+    fn switches(&self, found: &mut Vec<Node<C>>) {
         if let Some(argument) = self.switch() {
             found.push(argument);
         }

@@ -27,7 +27,7 @@ use super::{Interval, Precision, Real, Special};
 /// assert!(Rectangle::new(around.clone(), around).sqrt().is_none());
 /// ```
 pub trait Analytic: Clone {
-    /// How many times as long a formula takes as over an interval, for budgets: to within a factor of two.
+    /// The time that a formula takes over such a set, over its time on an interval, as budgets count it: to within a factor of two.
     const WORK: u64;
     /// Bits in the significand.
     fn bits(&self) -> u32;

@@ -35,7 +35,7 @@ const PIECES_OF_INTERVAL: usize = 120;
 const RANGES: i64 = 12;
 /// Recent integrals that are kept.
 const KEPT: usize = 8;
-/// Values of the integrand, over intervals, after which no further integral is begun: some seconds.
+/// Heights, counted over intervals, after which no further integral is begun: some seconds.
 const MOST: u64 = 300_000;
 
 /// The MDR-transformed profile of a formula over enclosures. Its values are proved; where an integral takes too many pieces it

@@ -30,7 +30,7 @@ pub(super) struct Ray<'a> {
     pub(super) x: &'a Interval,
     pub(super) order: Order,
     pub(super) weight: &'a Weight<Interval>,
-    /// Counted in heights over an interval.
+    /// The heights that were evaluated, counted over intervals.
     pub(super) heights: &'a AtomicU64,
 }
 

@@ -3,7 +3,6 @@
 use mdr_core::contact::{self, Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
-use mdr_numeric::admissible::Basis;
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
@@ -88,7 +87,7 @@ impl Followed {
 /// Branches with what is known of their surroundings: which states are admissible, and the profile where one may not be.
 fn surrounded(branches: ProvedBranches, certified: &Certified<'_>, precision: Precision) -> Result<ProvedBranches> {
     let admissibility = certified.admissibility()?;
-    let rises = admissibility.basis() == Basis::Bound;
+    let rises = admissibility.holds_by_form();
     let branches = branches.with_admissibility(admissibility);
     Ok(match certified.formulas()? {
         Some(formulas) if !rises => branches.with_profile(formulas.continued(precision)?),
