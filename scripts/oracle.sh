@@ -51,6 +51,10 @@ if [ -x "$python" ] || python3 -m venv "$environment" 2>/dev/null; then
         mkdir -p "$work/lammps" && cp examples/oracle/lammps/jkr-sphere.csv "$work/lammps/"
         sed 's|(J/m^2)"\]) / 2|(J/m^2)"])|' examples/oracle/lammps/test_jkr_sphere.py >"$work/lammps/mistaken.py"
         fails env LD_LIBRARY_PATH=$environment/lib "$python" "$work/lammps/mistaken.py"
+        echo "LAMMPS with hysteresis: the questions that are answered in docs/judged"
+        LD_LIBRARY_PATH=$environment/lib "$python" docs/reference/answer_lammps_mdr.py crates/mdr-reference/data/loop.jsonl 100 |
+            cut -d'"' -f4 >"$work/loops"
+        cut -d'"' -f4 docs/judged/lammps_mdr.jsonl | diff - "$work/loops"
         exit 0
     fi
 fi

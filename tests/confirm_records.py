@@ -11,8 +11,8 @@ lies within rad of mid, and its conditions are the differences that small change
 With the Rust code it shares no line and no library (Arb in the place of MPFR and of the enclosures there), but formulas of
 the theory, written once more: the definitions d = g - dl, F = 2 E* (a d - G) and dl = sqrt(2 pi a w/E*); the conditions of
 tangency at a fold; the closed forms of kappa_n, of g of every profile, of a_c, d_c and F_c, of the thresholds at n = 1/2 and
-of the energies of power laws; P and H of the wave of Johnson, whose folds are zeros of slopes by power series. A wrong formula of these would be confirmed; quadrature of the heights, the second method of
-each record, would not confirm a wrong g. Other than in Rust are g' (by power series, but of waves), G (by rigorous
+of the energies of power laws; P and H of the wave of Johnson, whose folds are zeros of slopes by power series; the edges of two works
+of adhesion, and the energies lost in their loops. A wrong formula of these would be confirmed; quadrature of the heights, the second method of each record, would not confirm a wrong g. Other than in Rust are g' (by power series, but of waves), G (by rigorous
 quadrature, but of power laws and waves), conditions (by differences) and the certain changes of sign.
 
 Exit status: 0 all confirmed, 1 a record differs, 77 python-flint is not there.
@@ -222,13 +222,13 @@ def quadrature(f, lower, upper):
     return value.real * width
 
 
-def refine(f, lower, upper):
+def refine(f, lower, upper, steps=140):
     """The zero between two points where f certainly has different signs."""
     left, right = f(lower), f(upper)
     if not ((left < 0 and right > 0) or (left > 0 and right < 0)):
         raise ValueError("no certain change of sign")
     rising = bool(left < 0)
-    for _ in range(140):
+    for _ in range(steps):
         middle = arb(((lower + upper) / 2).mid())
         value = f(middle)
         if value > 0:
@@ -263,6 +263,8 @@ class Records:
         formula, control, quantity = record["formula"], record["control"], record["quantity"]
         if formula.split("-")[0] in ("graded", "line", "wave"):
             return medium(self, record, given)
+        if formula.startswith("loop"):
+            return loop(record, given)
         parts = {"indentation": indentation, "force": force}
         if formula == "kappa":
             return kappa(given["n"])
@@ -384,6 +386,57 @@ def medium(records, record, given):
     return {"contact_radius": a, "indentation": height * (1 - gap), "force": closing * pressure}[quantity]
 
 
+def loop(record, given):
+    """A number of a loop between two works of adhesion: pressed together to `turn`, and drawn back."""
+    formula, control, quantity = record["formula"], record["control"], record["quantity"]
+    held_back = formula == "loop-state"
+    inward, outward = (Law({**given, "w": given[work]}) for work in ("w1", "w2"))
+    n, fold = outward.n, outward.critical_radius(arb(3 if control == "force" else 1))
+
+    def zero(law, target):
+        """The radius at which what is held has this value, outside of the fold."""
+        upper = 2 * fold
+        while not held(law, upper, control) > target:
+            upper *= 2
+        lower = upper / 4096 if law.w == 0 else law.critical_radius(arb(3 if control == "force" else 1))
+        return refine(lambda a: held(law, a, control) - target, lower, upper, 600)
+
+    if formula == "loop-preload":
+        return held(inward, fold, control)
+    reversal = zero(inward, given["turn"])
+    if formula == "loop-work":
+        return loop_work(inward, outward, reversal)
+    a = fold if reversal > fold else reversal
+    if held_back:
+        # F = 2 E* a (d - g/(n + 1)): what is not held, of any radius.
+        mean, stiffness = (lambda a: outward.g(a) / (n + 1)), (lambda a: 2 * outward.e * a)
+        depth = given["d"] if "d" in given else given["F"] / stiffness(reversal) + mean(reversal)
+        pinned = outward.g(reversal) - depth < elongation(outward, reversal)
+        a = reversal if pinned else zero(outward, given.get("d", given.get("F")))
+        if not (pinned or fold < a < reversal) or pinned != ("pinned" in record["flags"]):
+            raise ValueError("the edge is elsewhere")
+        other = given["F"] / stiffness(a) + mean(a) if control == "force" else stiffness(a) * (given["d"] - mean(a))
+        return a if quantity == "contact_radius" else other
+    return {"contact_radius": lambda law, a: a, "indentation": indentation, "force": force}[quantity](outward, a)
+
+
+def loop_work(inward, outward, reversal):
+    """What is lost in the jump into contact, by the edge that recedes, and in the pull-off."""
+    lost = arb.pi() * reversal**2 * (outward.w - inward.w)
+    if inward.w > 0:
+        lost += energy(inward, "work-lost-at-jump-in")
+    fold = outward.critical_radius(arb(1))
+    if reversal > fold:
+        return lost + energy(outward, "work-lost-at-pull-off")
+    return lost + potential(outward, reversal, indentation(outward, reversal))
+
+
+def potential(law, a, d):
+    """E* int (d - g)^2 dx - pi a^2 w, term by term."""
+    g, n = law.g(a), law.n
+    return law.e * a * (d * d - 2 * d * g / (n + 1) + g * g / (2 * n + 1)) - arb.pi() * a * a * law.w
+
+
 def energy(law, formula):
     """The potential energy E* int (d - g)^2 dx - pi a^2 w of the state, term by term."""
     if formula == "work-lost-at-pull-off":
@@ -392,9 +445,7 @@ def energy(law, formula):
     else:
         a = law.critical_radius(2 * law.n)
         d = arb(0)
-    g, n = law.g(a), law.n
-    elastic = law.e * a * (d * d - 2 * d * g / (n + 1) + g * g / (2 * n + 1))
-    value = elastic - arb.pi() * a * a * law.w
+    value = potential(law, a, d)
     return -value if formula == "work-lost-at-jump-in" else value
 
 

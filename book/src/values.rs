@@ -10,7 +10,7 @@ use crate::entry::permalink;
 use crate::error::{Error, Result};
 
 /// The families, in the order of the theory: the formula of the records, and its title.
-pub(crate) const FAMILIES: [(&str, &str); 24] = [
+pub(crate) const FAMILIES: [(&str, &str); 28] = [
     ("kappa", "The factor κ of a power law"),
     ("critical", "Critical states of power laws"),
     ("machine-folds", "Folds of power laws on a machine"),
@@ -34,6 +34,10 @@ pub(crate) const FAMILIES: [(&str, &str); 24] = [
     ("wave-threshold-touch", "Wavy surfaces: where touching completes the contact"),
     ("wave-threshold-energy", "Wavy surfaces: where complete contact has less energy"),
     ("wave-threshold-compliance", "Wavy surfaces: the compliance up to which folds stay"),
+    ("loop-state", "Two works of adhesion: states on the way back"),
+    ("loop-pull-off", "Two works of adhesion: where a contact comes off"),
+    ("loop-work", "Two works of adhesion: the work of a loop"),
+    ("loop-preload", "Two works of adhesion: the load that full pull-off needs"),
     (FIT, "Fits of measured curves"),
 ];
 

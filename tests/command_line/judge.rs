@@ -246,7 +246,7 @@ fn a_picture_of_answers_has_a_name_that_tells_its_kind() {
 }
 
 /// The answers that the documents show.
-const SHOWN: [&str; 5] = ["quartic", "newton", "workspace", "adhesion", "lammps"];
+const SHOWN: [&str; 6] = ["quartic", "newton", "workspace", "adhesion", "lammps", "lammps_mdr"];
 
 fn answers(name: &str) -> String {
     std::fs::read_to_string(root().join(format!("docs/judged/{name}.jsonl"))).unwrap()

@@ -29,6 +29,8 @@ mod energy;
 mod equilibria;
 mod fits;
 mod folds;
+mod loops;
+mod loops_confirm;
 mod media;
 mod media_confirm;
 mod profiles;
@@ -109,7 +111,7 @@ pub fn generate() -> std::result::Result<Vec<(&'static str, String)>, RecordErro
     Ok(files)
 }
 
-/// The files of the release about media other than the half-space.
+/// The files of the release about media other than the half-space, and about loops.
 ///
 /// # Errors
 /// The first question that cannot be certified, or whose second method disagrees.

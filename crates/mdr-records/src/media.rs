@@ -1,4 +1,5 @@
-//! Records of media other than the half-space: graded half-spaces, line contact, the wave of Johnson (1995).
+//! Records of media other than the half-space: graded half-spaces, line contact, the wave of Johnson (1995); and of
+//! [loops](crate::loops) with two works of adhesion.
 //!
 //! Their values are closed forms of `mdr-analytic` over intervals; the second method has the heights f and the kernel of the
 //! medium or the weight of its transform, by quadrature. Conditions are differences that a small change of each input makes.
@@ -18,7 +19,7 @@ use rug::Float;
 use crate::builder::{certified, status, three_digits};
 use crate::confirm;
 use crate::media_confirm as second;
-use crate::{DIGITS, Failure, RecordError, Result, float};
+use crate::{DIGITS, Failure, RecordError, Result, float, loops, loops_confirm};
 
 /// The release in which these records appeared.
 const RELEASE: u32 = 4;
@@ -51,37 +52,38 @@ impl Held {
 /// A question.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Question {
-    formula: &'static str,
-    profile: &'static str,
-    name: &'static str,
-    held: Option<Held>,
+    pub(crate) formula: &'static str,
+    pub(crate) profile: &'static str,
+    pub(crate) name: &'static str,
+    pub(crate) held: Option<Held>,
     /// Names and decimals.
-    inputs: &'static [(&'static str, &'static str)],
+    pub(crate) inputs: &'static [(&'static str, &'static str)],
     /// Quantities with their units.
-    quantities: &'static [(&'static str, &'static str)],
+    pub(crate) quantities: &'static [(&'static str, &'static str)],
     /// Which fold, of the wave.
-    kind: FoldKind,
-    flags: &'static [&'static str],
+    pub(crate) kind: FoldKind,
+    pub(crate) flags: &'static [&'static str],
 }
 
-const LENGTHS: &[(&str, &str)] = &[("contact_radius", "m"), ("indentation", "m"), ("force", "N")];
+pub(crate) const LENGTHS: &[(&str, &str)] = &[("contact_radius", "m"), ("indentation", "m"), ("force", "N")];
 const LINE: &[(&str, &str)] = &[("contact_radius", "m"), ("force", "N/m")];
 const WAVE: &[(&str, &str)] = &[("contact_radius", "m"), ("indentation", "m"), ("force", "Pa")];
 
 macro_rules! question {
     ($formula:literal $profile:literal $name:literal $held:expr, $quantities:expr, $kind:ident, [$($flag:literal)*], $($input:literal = $value:literal)*) => {
-        Question {
+        $crate::media::Question {
             formula: $formula,
             profile: $profile,
             name: $name,
             held: $held,
             inputs: &[$(($input, $value)),*],
             quantities: $quantities,
-            kind: FoldKind::$kind,
+            kind: ::mdr_core::contact::FoldKind::$kind,
             flags: &[$($flag),*],
         }
     };
 }
+pub(crate) use question;
 
 /// Both controls of a power law on a graded half-space.
 macro_rules! graded {
@@ -165,8 +167,12 @@ const ROUGH: &[Question] = &[
 ];
 
 /// The files of the release, with the questions of each.
-pub(crate) const FILES: [(&str, &[&[Question]]); 3] =
-    [("graded.jsonl", &[GRADED, THRESHOLDS]), ("line.jsonl", &[LINES]), ("wave.jsonl", &[WAVES, ROUGH])];
+pub(crate) const FILES: [(&str, &[&[Question]]); 4] = [
+    ("graded.jsonl", &[GRADED, THRESHOLDS]),
+    ("line.jsonl", &[LINES]),
+    ("wave.jsonl", &[WAVES, ROUGH]),
+    ("loop.jsonl", &[loops::LOOPS]),
+];
 
 /// The records of a file.
 pub(crate) fn records(questions: &[&[Question]]) -> std::result::Result<Vec<Record>, RecordError> {
@@ -186,7 +192,12 @@ impl Question {
             (0..self.quantities.len()).map(|place| self.decimal(place)).collect::<Result<_>>()?;
         let ctx = confirm::precision(&[]);
         let values: Vec<Float> = digits.iter().map(|digits| float(ctx, digits)).collect();
-        Failure::unless("the medium", second::agrees(self, &self.numbers::<Float>(ctx), &values)?)?;
+        let numbers = self.numbers::<Float>(ctx);
+        let agrees = match self.formula.starts_with("loop") {
+            true => loops_confirm::agrees(self.formula, self.held == Some(Held::Force), &numbers, &values)?,
+            false => second::agrees(self, &numbers, &values)?,
+        };
+        Failure::unless("the medium or the loop", agrees)?;
         (0..digits.len()).map(|place| self.record(place, &digits[place])).collect()
     }
 
@@ -217,6 +228,9 @@ impl Question {
 
     /// The values of the quantities, enclosed.
     fn values(&self, x: &[Interval]) -> contact::Result<Vec<Interval>> {
+        if self.formula.starts_with("loop") {
+            return loops::values(self.formula, self.held, x);
+        }
         let control = if self.held == Some(Held::Force) { Control::Force } else { Control::Indentation };
         let square = |h: &Interval| h.square() * h.pi().square() / h.lit(2);
         Ok(match self.formula {
@@ -284,12 +298,12 @@ impl Question {
             FoldKind::Maximum if self.formula == "wave-fold" => "pull-in/",
             _ => "",
         };
-        let stiffness =
-            self.literals().find(|(name, _)| *name == "k").map_or_else(String::new, |(_, k)| format!("k={k}/"));
+        let given = self.literals().filter(|(name, _)| ["k", "turn", "d", "F"].contains(name));
+        let given: String = given.map(|(name, value)| format!("{name}={value}/")).collect();
         let log10 = (value.log10_f64() * 1e9).round() / 1e9;
-        let methods = [("closed-form/interval", true), (second::name(self.formula), false)];
+        let methods = [("closed-form/interval", true), (self.second_method(), false)];
         let mut record = Record {
-            id: format!("{}/{}/{stiffness}{fold}{part}{quantity}", self.formula.replacen('-', "/", 1), self.name),
+            id: format!("{}/{}/{given}{fold}{part}{quantity}", self.formula.replacen('-', "/", 1), self.name),
             release: RELEASE,
             profile: self.profile.to_owned(),
             formula: self.formula.to_owned(),
@@ -323,8 +337,13 @@ impl Question {
             ..DifficultyInputs::default()
         };
         record.difficulty = measures.difficulty();
-        debug_assert!(STATE.contains(&quantity) || quantity.starts_with("threshold"));
+        debug_assert!(STATE.contains(&quantity) || quantity.starts_with("threshold") || quantity == "energy");
         Ok(record)
+    }
+
+    fn second_method(&self) -> &'static str {
+        let is_loop = self.formula.starts_with("loop");
+        if is_loop { loops_confirm::name(self.formula) } else { second::name(self.formula) }
     }
 
     /// The entry of `mdr derive` on which the value rests.
@@ -332,6 +351,7 @@ impl Question {
         match (self.formula.split('-').next(), self.held) {
             (Some("graded"), _) => "graded",
             (Some("line"), _) => "line-contact",
+            (Some("loop"), _) => "hysteresis",
             (_, Some(Held::Indentation | Held::Machine)) => "wave-approach",
             _ => "wave",
         }
@@ -341,6 +361,7 @@ impl Question {
         match self.formula.split('-').next() {
             Some("graded") => "Giannakopoulos Pallot 2000",
             Some("line") => "Maugis 2000",
+            Some("loop") => "Popov (1.8)",
             _ => "Johnson 1995",
         }
     }

@@ -34,7 +34,7 @@ pub(crate) fn agrees(question: &Question, x: &[Float], values: &[Float]) -> Resu
 
 /// n∫₀^{π/2} sin^{n+shift}θ cosᵏθ dθ · C, with t = sin²θ: the transform of C rⁿ at 1 by its weight (shift −1), or N of line contact
 /// (shift 0).
-fn transform(n: &Float, c: &Float, weight: &Float, shift: i64) -> Result<Float> {
+pub(crate) fn transform(n: &Float, c: &Float, weight: &Float, shift: i64) -> Result<Float> {
     let rise = (n.clone() + n.lit(shift - 1)).over(2);
     let fall = (weight.clone() - weight.lit(1)).over(2);
     let integral = tanh_sinh_near_ends(&n.lit(0), &n.lit(1), &roundoff_tolerance(n), |node| {

@@ -9,7 +9,7 @@ use crate::record::Record;
 use crate::text::excerpt;
 
 /// The files of the release, in order.
-const FILES: [&str; 9] = [
+const FILES: [&str; 10] = [
     include_str!("../data/critical.jsonl"),
     include_str!("../data/equilibria.jsonl"),
     include_str!("../data/profiles.jsonl"),
@@ -19,6 +19,7 @@ const FILES: [&str; 9] = [
     include_str!("../data/graded.jsonl"),
     include_str!("../data/line.jsonl"),
     include_str!("../data/wave.jsonl"),
+    include_str!("../data/loop.jsonl"),
 ];
 
 /// All records of this release, parsed once.

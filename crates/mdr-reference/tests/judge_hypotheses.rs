@@ -111,6 +111,9 @@ fn modulus() {
     planted("modulus-kPa", 1e-3);
     planted("modulus-MPa", 1e-6);
     planted("modulus-GPa", 1e-9);
+    planted("modulus-from-kPa", 1e3);
+    planted("modulus-from-MPa", 1e6);
+    planted("modulus-from-GPa", 1e9);
     for (text, ratio) in [("0.2", 0.2), ("0.25", 0.25), ("0.28", 0.28), ("0.3", 0.3), ("0.33", 0.33)]
         .into_iter()
         .chain([("0.35", 0.35), ("0.4", 0.4), ("0.45", 0.45), ("0.49", 0.49), ("0.5", 0.5_f64)])
@@ -458,6 +461,12 @@ fn single_precision_is_seen() {
     assert!(names(once(1.0)).is_empty());
     assert!(names(once(1.0 + 1e-9)).is_empty());
     assert!(names(once(0.5)).is_empty());
+    // Beyond its range there is 0, infinity, or what follows from them.
+    let flushed = |record: &Record| {
+        let plain = record.status == Status::Ok && record.formula == "critical";
+        plain.then(|| f64::from(record.nearest() as f32))
+    };
+    assert_eq!(names(flushed), ["float32"]);
     // Six printed digits are no single precision.
     let six = |record: &Record| certified(record).map(|value| format!("{value:.5e}").parse().unwrap());
     assert!(names(six).is_empty());

@@ -8,7 +8,7 @@ import pytest
 
 def test_all_are_there() -> None:
     vectors = mdr_vectors.load()
-    assert len({vector.id for vector in vectors}) == len(vectors) == 1970
+    assert len({vector.id for vector in vectors}) == len(vectors) == 1994
     physical = {vector.id.split("/")[1] for vector in mdr_vectors.load(flag="physical", formula="critical")}
     assert physical >= {"afm-tip", "pdms-bead", "gecko-spatula", "glass-bead", "wheel-on-rail"}
     assert len(mdr_vectors.table()) == 43

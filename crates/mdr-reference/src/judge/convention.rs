@@ -242,6 +242,6 @@ mod tests {
     fn every_line_of_the_table_is_a_convention() {
         let table = include_str!("../../data/conventions.tsv").lines().filter(|line| !line.starts_with('#'));
         assert!(table.clone().all(|line| Convention::read(line, "0.5").is_some()));
-        assert_eq!((table.count(), Convention::all().len()), (35, 30 + 5 * POISSON.len()));
+        assert_eq!((table.count(), Convention::all().len()), (38, 33 + 5 * POISSON.len()));
     }
 }

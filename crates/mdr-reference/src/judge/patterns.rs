@@ -19,6 +19,9 @@ const SINGLE: f64 = 1.0 / 16_777_216.0;
 /// The errors that a computation in single precision may have, over the condition and that roundoff.
 const ROUNDINGS: f64 = 100.0;
 
+/// Questions with a number beyond this many decades say nothing about single precision, which does not hold it.
+const DECADES_OF_SINGLE: f64 = 37.0;
+
 /// The factor between the sizes of answers that a tolerance spoils and of those that it leaves.
 const SCALES: f64 = 1e3;
 
@@ -50,7 +53,11 @@ impl<'a> Pair<'a> {
 /// The patterns in the answers of a report, `not_right` of which are not right.
 pub(super) fn found(judged: &[Judged<'_>], not_right: usize) -> Vec<Explanation> {
     let pairs: Vec<Pair<'_>> = judged.iter().filter_map(Pair::of).collect();
-    let single = single_precision(&pairs, not_right);
+    let beyond = |record: &Record| record.decades() > DECADES_OF_SINGLE;
+    let is_wrong = |judged: &&Judged<'_>| judged.mark.verdict != Verdict::Right;
+    let out_of_range = judged.iter().filter(is_wrong).filter(|judged| beyond(judged.record)).count();
+    let in_range: Vec<&Pair<'_>> = pairs.iter().filter(|pair| !beyond(pair.record)).collect();
+    let single = single_precision(&in_range, not_right - out_of_range, not_right);
     let is_single = single.is_some();
     let mut units: Vec<&str> = pairs.iter().map(|pair| pair.record.unit.as_str()).collect();
     units.sort_unstable();
@@ -83,18 +90,18 @@ fn explanation(
     })
 }
 
-/// Every answer is a number of single precision, and those that are not right are off by its rounding errors.
-fn single_precision(pairs: &[Pair<'_>], not_right: usize) -> Option<Explanation> {
+/// Every answer is a number of single precision, and the `wrong_here` that are not right are off by its rounding errors.
+fn single_precision(pairs: &[&Pair<'_>], wrong_here: usize, not_right: usize) -> Option<Explanation> {
     let is_single = |value: f64| {
         let rounded = f64::from(value as f32);
         let has_nine_digits = || format!("{value:.8e}").parse() == Ok(value);
         rounded == value || has_nine_digits() && ((rounded - value) / value).abs() <= PRINTED
     };
-    let wrong: Vec<&Pair<'_>> = pairs.iter().filter(|pair| !pair.right).collect();
+    let wrong: Vec<&Pair<'_>> = pairs.iter().copied().filter(|pair| !pair.right).collect();
     let explained = |pair: &&Pair<'_>| {
         pair.error() <= ROUNDINGS * SINGLE * pair.record.total_condition().max(1.0) * pair.certified.abs()
     };
-    if !pairs.iter().all(|pair| is_single(pair.answer)) || wrong.len() < not_right || !wrong.iter().all(explained) {
+    if !pairs.iter().all(|pair| is_single(pair.answer)) || wrong.len() < wrong_here || !wrong.iter().all(explained) {
         return None;
     }
     // Whole numbers, and other short ones, are of single precision by themselves.

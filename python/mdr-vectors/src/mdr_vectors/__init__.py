@@ -20,7 +20,7 @@ from typing import Any
 __all__ = ["RELEASE", "Vector", "load", "table"]
 
 RELEASE = 4
-_FILES = ("critical", "equilibria", "profiles", "edges", "worst", "fits", "graded", "line", "wave")
+_FILES = ("critical", "equilibria", "profiles", "edges", "worst", "fits", "graded", "line", "wave", "loop")
 
 
 @dataclass(frozen=True)
