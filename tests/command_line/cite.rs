@@ -40,6 +40,9 @@ fn an_answer_asks_for_the_sources_of_its_profile() {
         (&said["schema"], &said["arithmetic"], &said["digits"]),
         (&"mdr.critical/1".into(), &"certified".into(), &30.into())
     );
+    // The program that gave it, which need not be the one that is asked.
+    let program = said["program"].as_str().unwrap();
+    assert!(program.starts_with("mdr ") && output(&format!("cite {sphere}")).contains(&format!("by {program}.")));
     let keys =
         |cited: &Value| cited["works"].as_array().unwrap().iter().map(|work| work["key"].clone()).collect::<Vec<_>>();
     assert_eq!(keys(&cited), ["Popov", "JKR1971"]);
@@ -102,7 +105,9 @@ fn the_files_for_archives_agree() {
         cff.contains(&format!("\ntitle: \"{title}\"\n"))
             && cff.contains(&format!("\nversion: {}\n", env!("CARGO_PKG_VERSION")))
     );
-    assert!(cff.contains(&format!("\nlicense: {}\n", program["license"].as_str().unwrap())));
+    // The schema of CFF takes identifiers of SPDX, of which a list means a choice, and no expression.
+    let licenses = program["license"].as_str().unwrap().replace(" OR ", "\n  - ");
+    assert!(cff.contains(&format!("\nlicense:\n  - {licenses}\n")));
     assert_eq!((&codemeta["name"], &zenodo["title"]), (&program["title"], &program["title"]));
     assert_eq!((&codemeta["version"], &zenodo["version"]), (&program["version"], &program["version"]));
     assert_eq!((&codemeta["description"], &codemeta["keywords"]), (&zenodo["description"], &zenodo["keywords"]));

@@ -76,6 +76,9 @@ struct Records {
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 struct Answer {
     schema: String,
+    /// Release and commit of the program that gave it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    program: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     arithmetic: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -143,14 +146,15 @@ fn answer(value: &Value) -> Option<Answer> {
         None => format!("record of release {}", record()?),
     };
     let digits = value.get("digits").and_then(Value::as_u64);
-    Some(Answer { schema, arithmetic: text("arithmetic"), digits, profile: text("profile") })
+    Some(Answer { schema, program: text("program"), arithmetic: text("arithmetic"), digits, profile: text("profile") })
 }
 
 impl Answer {
     fn text(&self) -> String {
         let digits = self.digits.map(|digits| format!("{digits} digits"));
         let profile = self.profile.as_ref().map(|profile| format!("profile {profile}"));
-        let parts = [Some(self.schema.clone()), self.arithmetic.clone(), digits, profile];
+        let program = self.program.as_ref().map(|program| format!("by {program}"));
+        let parts = [Some(self.schema.clone()), self.arithmetic.clone(), digits, profile, program];
         parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
     }
 }
