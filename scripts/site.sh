@@ -35,7 +35,7 @@ cd ..
 # One page: the style, the engine (gzipped, in base64) and the scripts stand where the page has their marks.
 parts=target/web/parts
 page=target/book/explorer.html
-scripts="engine scene parameters model address plot pictures hysteresis body own tasks controls hands kept page"
+scripts="engine medium scene parameters model past address plot pictures hysteresis body own tasks controls hands kept words page"
 mkdir -p $parts target/book
 # Pictures that are saved carry the sheet of the figures.
 {

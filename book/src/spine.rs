@@ -22,7 +22,7 @@ const fn live(name: &'static str, state: &'static str, only: &'static str, capti
 }
 
 /// All of them.
-pub(crate) const FIGURES: [Live; 14] = [
+pub(crate) const FIGURES: [Live; 17] = [
     live("ball", "v=0.25", "body", "A ball on a soft surface, held at a depth. Pull it up until it lets go."),
     live(
         "springs",
@@ -87,10 +87,28 @@ pub(crate) const FIGURES: [Live; 14] = [
         "force",
         "Shorter waves: more jumps, and each costs energy.",
     ),
+    live(
+        "wave",
+        "medium=wave&control=F&alpha=0.4&v=0.15",
+        "balance",
+        "Johnson's wave under a mean pressure. Press until it snaps into complete contact.",
+    ),
+    live(
+        "two-works",
+        "w1=0.25&v=0.1",
+        "force",
+        "Two works of adhesion: on the way in the smaller one, on the way out the larger one, and in between the edge is pinned.",
+    ),
+    live(
+        "graded",
+        "medium=graded&grade=0.5&v=0.25",
+        "balance",
+        "A ball on a half-space whose modulus grows with the root of the depth.",
+    ),
 ];
 
 /// Which figure stands on the page of which entry.
-const PLACES: [(&str, &str); 14] = [
+const PLACES: [(&str, &str); 17] = [
     ("1.1", "springs"),
     ("1.4", "springs"),
     ("1.7", "two-curves"),
@@ -103,6 +121,9 @@ const PLACES: [(&str, &str); 14] = [
     ("machine-folds", "controlled"),
     ("critical-machine", "machine"),
     ("wavy", "wavy"),
+    ("wave", "wave"),
+    ("hysteresis", "two-works"),
+    ("graded", "graded"),
     ("work-pull-off", "losses"),
     ("work-jump-in", "losses"),
 ];

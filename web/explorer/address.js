@@ -18,8 +18,8 @@ function address() {
   return '#' + parts.join('&');
 }
 const ONLY = ['balance', 'body', 'force'];
-/** Rubbish is left out or clipped. */
-function restore(hash) {
+/** Rubbish is left out or clipped; a long table is `weighed` first. */
+function restore(hash, weighed) {
   const query = new URLSearchParams(hash.slice(1));
   const only = query.get('only');
   if (ONLY.includes(only)) document.body.dataset.only = only;
@@ -36,7 +36,10 @@ function restore(hash) {
     if (span && text.trim() !== '' && Number.isFinite(+text)) P[key] = within(+text, span);
     else if (CHOICES[key] && CHOICES[key].includes(text)) P[key] = text;
     else if (key === 'table' && unpackTable(text).length >= 4) P.table = packTable(unpackTable(text));
+    else if (key === 'smooth' && +text > 0 && Number.isFinite(+text)) P.smooth = +text;
   }
+  if (P.shape === 'table' && !P.smooth && !weighed && unpackTable(P.table).length > FEW_ROWS) return weighFirst(hash, P.table);
+  Object.assign(P, together(P.shape === 'power' ? {} : { shape: P.shape }));
   if (!rebuild()) {
     P = { ...DEFAULTS };
     rebuild();
@@ -48,6 +51,12 @@ function restore(hash) {
   origin = { value, start: 'largest' };
   markPreset();
   sync();
+}
+
+/** A tip that is quick to follow, while the table of an address is weighed. */
+function weighFirst(hash, table) {
+  preset(OWN_TIP);
+  weigh(table).then((found) => pad.offer(found, (smooth) => restore(smooth ? `${hash}&smooth=${smooth}` : hash, true)));
 }
 
 let saving = 0;

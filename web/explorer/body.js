@@ -69,7 +69,7 @@ function drawSprings(state) {
 /** The outer springs, stretched by g − d, beside what they can bear, Δl. */
 function drawOuter(a, spring, top, state) {
   const p = body;
-  const [level, limit] = [p.y(0), p.y(Math.sqrt(a))];
+  const [level, limit] = [p.y(0), p.y(elongation(a))];
   set(p.edge, { d: a ? spring(p.x(a), top) + spring(p.x(-a), top) : '' });
   set(p.gauge, { d: a ? `M${p.x(a) + 9} ${level}V${limit}M${p.x(-a) - 9} ${level}V${limit}` : '' });
   if (a) name('Δl', Math.min(p.x(a) + 16, p.w - 46), (level + limit) / 2 + 5, 'start');

@@ -72,15 +72,16 @@ function sync() {
     $(`o-${key}`).textContent = text + (key === 'n' ? regime : '');
     set($(`s-${key}`), { 'aria-valuetext': $(`o-${key}`).textContent });
   }
-  ['control', 'shape', 'view', 'graph'].forEach((id) => $(id).sync());
+  ['control', 'shape', 'medium', 'view', 'graph'].forEach((id) => $(id).sync());
   set($('ghost'), { 'aria-pressed': P.ghost === 'on' });
   $('axis').value = P.axis;
   $('unit').value = P.unit;
   $('own-units').hidden = P.unit !== 'own';
   for (const key in OWN) if (document.activeElement !== $(key)) $(key).value = P[key];
-  $('table-editor').hidden = P.shape !== 'table';
+  $('table-editor').hidden = P.shape !== 'table' || onWave();
   if (P.shape === 'table') pad.show();
-  $('value-label').textContent = CONTROLS[P.control][1];
+  $('value-label').textContent = controlWords()[1];
+  $('shape').parentElement.hidden = onWave();
   redraw.curve = true;
   request();
 }

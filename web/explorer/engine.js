@@ -116,6 +116,11 @@ const engine = {
   kappa: (n) => call('kappa', NaN, n),
   outer: () => call('outer_radius', NaN),
   curve: (low, high, count, power = 2) => rows(6, 'curve', low, high, count, power) || [],
+  /** With two works of adhesion, the same of an edge that advances; the curve is that of one that recedes. */
+  advancing: (low, high, count, power = 2) => (twoWorks() && rows(6, 'advancing_curve', low, high, count, power)) || [],
+  advancingAt: (value) => (twoWorks() && rows(4, 'advancing_equilibria', value)) || [],
+  /** d and F of an edge that is pinned at a radius. */
+  pinned: (value, a) => (rows(2, 'pinned', a, value) || [[NaN, NaN]])[0],
   balance: (value, low, high, count) => rows(4, 'balance', value, low, high, count, spacing()) || [],
   /** The same at equal ratios of the radius. */
   around: (value, low, high, count) => rows(4, 'balance', value, low, high, count, 0) || [],
@@ -128,7 +133,7 @@ const engine = {
     this.restKnown = found ? value : null;
     return this.rest;
   },
-  advance: (a, from, to) => rows(9, 'advance', a, from, to),
+  advance: (a, from, to) => rows(10, 'advance', a, from, to),
   surface: (a, d, high, count) => rows(3, 'surface', a, d, high, count) || [],
   verify: (a) => (rows(3, 'verify', a) || [])[0],
 };

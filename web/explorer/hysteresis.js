@@ -17,8 +17,8 @@ function drawForce(rest, state) {
   const xs = folding() ? radiusTicks(p) : ticks(p.now[0], p.now[1], p.w < 420 ? 4 : 6, 'd');
   const ys = ticks(p.now[2], p.now[3], 5, folding() ? heldKind() : 'F');
   const [xName, yName] = folding()
-    ? [`contact radius a${xs.unit || ' / R₀'}`, CONTROLS[P.control][2]]
-    : [`depth d${xs.unit || ' / Δl₀'}`, 'force F'];
+    ? [`${radiusName()} a${xs.unit || ' / R₀'}`, controlWords()[2]]
+    : [`depth d${xs.unit || ' / Δl₀'}`, onWave() ? 'mean pressure F' : 'force F'];
   p.axes(xs, ys, xName, yName + ys.unit);
   drawBranches();
   set(p.trail, {
@@ -37,8 +37,35 @@ function drawForce(rest, state) {
   });
   const [x, y] = present(state);
   set(p.ring, Number.isFinite(x + y) ? { cx: p.x(x), cy: p.y(y), r: 9, opacity: 1 } : { opacity: 0 });
-  const several = `lost in ${jumps} jump${jumps > 1 ? 's' : ''}: ${show(lostTotal, 'E', 4)}`;
-  $('lost').textContent = unbounded ? 'lost: without bound' : jumps ? several : '';
+  nameEdges(rest);
+  const several = jumps ? [`lost in ${jumps} jump${jumps > 1 ? 's' : ''}: ${show(lostTotal, 'E', 4)}`] : [];
+  const byEdge = receded > 0 ? [`${several.length ? '' : 'lost '}by the edge: ${show(receded, 'E', 4)}`] : [];
+  $('lost').textContent = unbounded ? 'lost: without bound' : [...several, ...byEdge].join(', ');
+}
+/** With two works of adhesion, which curve is that of which edge. */
+function nameEdges(rest) {
+  const p = force;
+  const names = [p.tRecedes, p.tAdvances];
+  if (!twoWorks()) return names.forEach((node) => set(node, { opacity: 0 }));
+  const pixel = (q) => {
+    const [x, y] = inPlane(q);
+    return [p.x(x), p.y(y)];
+  };
+  const pixels = (rows) => rows.map((r) => pixel([r[3], r[4], r[0]]));
+  const both = [equilibriumCurve, advancingCurve];
+  const stable = both.map((rows) => pixels(rows.filter((r) => r[5])));
+  const [l, t, r, b] = p.box;
+  const [x, y] = pixel([value, value, value]);
+  const share = (low, high) => [0, 1, 2, 3, 4, 5, 6, 7, 8].map((i) => low + ((high - low) * i) / 8);
+  const held = !folding() && P.control === 'd' ? share(t, b).map((v) => [x, v]) : share(l, r).map((u) => [u, y]);
+  const curves = [...both.map((rows) => pixels(rows.filter((row) => !row[5]))), held];
+  const dots = rest.map(([a, d, F]) => pixel([d, F, a]));
+  const taken = [];
+  names.forEach((node, i) => {
+    node.textContent = ['recedes, w₂', 'advances, w₁'][i];
+    taken.push(beside(p, node, 92, stable[i], [...stable, ...curves], dots, taken));
+  });
+  return undefined;
 }
 /** Where the state is in the plane; NaN where it is not in it. */
 function present(state) {
@@ -63,9 +90,16 @@ function drawBranches() {
     part.push(point(row));
   });
   // Without adhesion the contact ends where g = d, and its springs bear what those of the edge would have been pulled by.
-  const bare = ([a, g, elongation, , F]) => [g, F + 2 * a * elongation, a];
+  const bare = ([a, g, pulled, , F]) => [g, F + stiffness(a) * pulled, a];
   set(p.ghost, { d: P.ghost === 'on' ? p.path(equilibriumCurve.map((row) => inPlane(bare(row)))) : '' });
   set(p.pinned, { d: p.path(pinned.map(([q, held]) => (folding() ? [q[2], held] : q))) });
+  const advancing = [[], []];
+  advancingCurve.forEach((row, i) => {
+    if (!i || advancingCurve[i - 1][5] !== row[5]) advancing[row[5]].push([NaN, NaN]);
+    advancing[row[5]].push(point(row));
+  });
+  set(p.advancing, { d: p.path(advancing[1]) });
+  set(p.advancingUnstable, { d: p.path(advancing[0]) });
   set(p.stable, { d: p.path(parts[1]) });
   set(p.unstable, { d: p.path(parts[0]) });
 }

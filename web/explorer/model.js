@@ -11,8 +11,9 @@ let trail = []; // {points: [d, F, a], jump, area, lost, kind}
 let lostTotal = 0;
 let jumps = 0;
 let unbounded = false;
+let receded = 0; // what an edge that recedes has lost besides, with two works of adhesion
 let way = { start: S, points: [0] }; // from where, and the values at which the control turned round
-let leg = { from: S, at: 0, before: [[], 0, 0, false] }; // from the last of them, and trail, loss and jumps before it
+let leg = { from: S, at: 0, before: [[], 0, 0, false, 0] }; // from the last of them, and trail, loss and jumps before it
 let ended = ''; // how the way came to an end, if it did
 let anim = null;
 let probe = null; // the radius at which the edge is held by hand
@@ -72,9 +73,11 @@ function rebuild() {
   trouble = found.failure ? found.message.replace(/^.*profile\.csv: |^profile\.file: /, '') : '';
   if (found.failure) return false;
   const cap = P.shape === 'wavy' ? WAVES_SHOWN : FOLDS_SHOWN;
-  folds = found.folds.map(([a, d, F, kind]) => ({ a, d, F, max: kind === 1, v: controlled(d, F) }));
+  folds = found.folds.map(([a, d, F, kind]) => ({ a, d, F, max: kind % 2 === 1, advancing: kind > 1, v: controlled(d, F) }));
   const seen = folds.filter((f) => f.a < cap);
   const values = seen.map((f) => f.v);
+  // Springs that do not act on each other hold to d = −Δl, however small the contact.
+  if (P.medium === 'springs' && P.control !== 'F') values.push(-1);
   const size = Math.max(...values.map(Math.abs), P.shape === 'wavy' ? 0.4 : 0.25);
   range = [Math.min(0, ...values) * 1.3 - 0.3 * size, Math.max(0, ...values) * 1.25 + 1.1 * size];
   const edge = engine.outer() * (1 - 1e-7);
@@ -96,39 +99,45 @@ const complete = (d = NaN, F = NaN) => ({ kind: 2, a: Infinity, d, F });
 /** A state as the engine returns it: a = 0 apart, NaN in contact everywhere. */
 const told = (a, d, F) => ({ kind: Number.isNaN(a) ? 2 : a > 0 ? 1 : 0, a: Number.isNaN(a) ? Infinity : a, d, F });
 const restingStates = () => engine.equilibria(value).filter((e) => e[3] > 0);
+const advancingStates = () => engine.advancingAt(value).filter((e) => e[3] > 0);
 const forceAt = (a) => (engine.curve(a, a, 1)[0] || [])[4];
 
 /** Where the contact is when it has been let alone at a value. */
 function settle(how, near = 1) {
   const stable = restingStates();
   const now = how === 'nearest' && engine.at(value, near);
+  if (now && twoWorks()) return relaxed(near, now);
   if (now && Math.abs(now[1] - now[2]) < 1e-6 * now[2]) {
     // at rest; unstable unless it is one of those
     const firm = stable.find((e) => Math.abs(e[0] / near - 1) < 1e-4);
     return firm ? contactState(firm) : { kind: 1, a: near, d: now[3], F: forceAt(near), poised: true };
   }
-  if (now) return relaxed(near, now[1] - now[2]); // where the direction of change leads, not the nearest
-  const pick = how === 'smallest' ? stable[0] : how === 'detached' ? null : stable[stable.length - 1];
+  if (now) return relaxed(near, now); // where the direction of change leads, not the nearest
+  const pick = how === 'smallest' ? (twoWorks() ? advancingStates() : stable)[0] : how === 'detached' ? null : stable[stable.length - 1];
   return pick ? contactState(pick) : away();
 }
-/** Let go at radius a, where g − d exceeds Δl by `excess`: (1.8), (1.9). */
-function relaxed(a, excess) {
-  const rest = restingStates();
+/** Let go at radius a, where the balance is a row of a, g − d, Δl, d: (1.8), (1.9), or pinned between two works of adhesion. */
+function relaxed(a, [, y, most]) {
+  const over = twoWorks() ? excess(y, most) : y - most;
+  if (twoWorks() && over === 0) {
+    const [d, F] = engine.pinned(value, a);
+    return { kind: 1, a, d, F };
+  }
+  const rest = twoWorks() && over < 0 ? advancingStates() : restingStates();
   const next =
-    rest.find((e) => Math.abs(e[0] / a - 1) < 1e-6) ||
-    (excess > 0 ? rest.filter((e) => e[0] < a).pop() : rest.find((e) => e[0] > a));
+    rest.find((e) => Math.abs(e[0] / a - 1) < 1e-6) || (over > 0 ? rest.filter((e) => e[0] < a).pop() : rest.find((e) => e[0] > a));
   if (next) return contactState(next);
-  return excess > 0 ? away() : complete();
+  return over > 0 ? away() : complete();
 }
 function clearTrail() {
   way = { start: S, points: [value] };
   ended = '';
-  begin([], 0, 0, false);
+  begin([], 0, 0, false, 0);
 }
 /** A leg of the way begins at the state and the value that there are: what came before it is kept as it is. */
 function begin(...before) {
   leg = { from: S, at: value, before };
-  [trail, lostTotal, jumps, unbounded] = before;
+  [trail, lostTotal, jumps, unbounded, receded] = before;
 }
 /** The curve of equilibria between two radii, as points [d, F, a]. Those of a leg are asked for again and again. */
 function along(from, to) {
@@ -145,8 +154,14 @@ function between(from, to) {
   const count = Math.round(
     within((120 * Math.abs(Math.sqrt(to) - Math.sqrt(from))) / Math.sqrt(reach), [2, P.shape === 'table' ? 40 : 90]),
   );
-  const points = engine.curve(Math.max(Math.min(from, to), 1e-9), Math.max(from, to), count).map((r) => [r[3], r[4], r[0]]);
+  const curve = twoWorks() && to > from ? engine.advancing : engine.curve;
+  const points = curve(Math.max(Math.min(from, to), 1e-9), Math.max(from, to), count).map((r) => [r[3], r[4], r[0]]);
   return from < to ? points : points.reverse();
+}
+/** From one state of contact to another: along a line where the edge is pinned, else along the curve of equilibria. */
+function onTheWay(from, to) {
+  const pinned = twoWorks() && Math.abs(from.a - to.a) <= 1e-9 * to.a;
+  return pinned ? [from, to].map(({ a, d, F }) => [d, F, a]) : along(from.a, to.a);
 }
 const smooth = (points) => trail.push({ points });
 
@@ -192,7 +207,7 @@ function turnRound() {
     if (S.kind === 0) S = away();
     ended = '';
   }
-  begin([...trail], lostTotal, jumps, unbounded);
+  begin([...trail], lostTotal, jumps, unbounded, receded);
 }
 /** Where the library has no way from here: at rest at `to`, with its words. */
 function restart(to) {
@@ -206,17 +221,18 @@ function restart(to) {
 /** The events of a leg: the last state, the value it is reached at, and the state that the last new jump left; `known` jumps
  * have been told. */
 function follow(events, to, known) {
-  [, lostTotal, jumps, unbounded] = leg.before;
+  [, lostTotal, jumps, unbounded, receded] = leg.before;
   trail = [...leg.before[0]];
   let at = { ...leg.from };
   let from = leg.at;
   let jumpedFrom = null;
-  for (const [number, v, a, d, F, a1, d1, F1, lost] of events) {
+  for (const [number, v, a, d, F, a1, d1, F1, lost, byEdge] of events) {
     const kind = KINDS[number];
     const before = told(a, d, F);
     const after = told(a1, d1, F1);
     if (kind === 'touch') after.kind = 1; // at a point, a = 0
-    if (at.kind === 1 && before.kind === 1) smooth(along(at.a, before.a));
+    receded += byEdge;
+    if (at.kind === 1 && before.kind === 1) smooth(onTheWay(at, before));
     else if (at.kind === 0 && P.control !== 'F') smooth([from, v].map((x) => [Math.min(x, 0), 0, 0]));
     if (['jump', 'jump-in', 'detached', 'complete'].includes(kind)) {
       const words = leap(kind, v, before, after, lost);
@@ -242,7 +258,7 @@ function nudge(to) {
   const from = S;
   value = to;
   const here = engine.at(to, S.a);
-  S = here ? relaxed(from.a, here[1] - here[2]) : away();
+  S = here ? relaxed(from.a, here) : away();
   if (!reduced.matches) anim = { from, to: S, start: performance.now(), time: 700 };
   clearTrail();
   request();
@@ -277,40 +293,11 @@ function release() {
   remember('edge');
   const here = engine.at(value, probe);
   const from = { kind: 1, a: probe, d: value, F: 0 };
-  S = here ? relaxed(probe, here[1] - here[2]) : S;
+  S = here ? relaxed(probe, here) : S;
   probe = null;
   clearTrail();
   if (!reduced.matches) anim = { from, to: S, start: performance.now(), time: 520 };
   request();
-}
-
-// ---------------------------------------------------------------- back
-const past = [];
-/** Keeps the state before something is done; what goes on, such as a slider that is dragged, is one step back. */
-function remember(what) {
-  const now = performance.now();
-  const goesOn = what === remember.what && now - remember.when < 900;
-  Object.assign(remember, { what, when: now });
-  if (goesOn) return;
-  const story = { S, value, leg, trail, lostTotal, jumps, unbounded, ended, origin, note };
-  past.push({ ...story, P: { ...P }, way: { start: way.start, points: [...way.points] } });
-  if (past.length > 100) past.shift();
-}
-/** One step back, with the way that led there. */
-function undo() {
-  const before = past.pop();
-  stop();
-  finish();
-  probe = null;
-  remember.what = '';
-  if (!before) return;
-  const { graph } = P;
-  P = before.P;
-  if (P.graph !== graph) turn(P.graph);
-  rebuild();
-  ({ S, value, leg, trail, lostTotal, jumps, unbounded, ended, origin, note, way } = before);
-  markPreset();
-  sync();
 }
 
 // ---------------------------------------------------------------- changes
@@ -323,7 +310,7 @@ function change(parameters) {
   finish();
   probe = null;
   note = '';
-  Object.assign(P, parameters);
+  Object.assign(P, together(parameters));
   if (!rebuild()) {
     const words = trouble;
     P = kept;
@@ -339,6 +326,8 @@ function change(parameters) {
   else if (before.kind === 0) S = value >= 0 ? settle('largest') : away();
   else S = settle(value > 0 && P.n < 0.5 ? 'smallest' : 'largest');
   clearTrail();
+  if (P.shape === 'wavy' && P.A === highestWaves(P))
+    note = `The waves are held at a height of ${show(P.A, 'd')}: higher ones of this length would make folds by the hundred.`;
   sync();
   request();
 }

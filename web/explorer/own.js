@@ -33,7 +33,7 @@ function weighing() {
  * they take longer than the page waits. */
 function weigh(table) {
   const before = { ...P };
-  Object.assign(P, { shape: 'table', table, smooth: 0 });
+  Object.assign(P, { shape: 'table', medium: 'half', table, smooth: 0 });
   const rows = unpackTable(table);
   const wide = Math.max(...rows.map(([r]) => r));
   const lengths = [0, wide / 40, wide / 20, wide / 10, wide / 5];
@@ -169,11 +169,12 @@ function download(name, type, text) {
 const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 /** The contact and its control, as a line below the pictures. */
 function parametersInWords() {
-  const keys = Object.keys(SLIDERS).filter((key) => SLIDERS[key][6]());
+  const keys = Object.keys(SLIDERS).filter((key) => SLIDERS[key][6]() && (key !== 'w1' || twoWorks()));
   const shown = keys.map((key) => `${SLIDERS[key][1]} = ${SHOWN_AS[key] ? show(P[key], SHOWN_AS[key]) : +P[key].toPrecision(5)}`);
-  const kind = { power: 'power law', sphere: 'sphere', wavy: 'wavy sphere', table: 'table' }[P.shape];
+  const kind = onWave() ? 'wave' : { power: 'power law', sphere: 'sphere', wavy: 'wavy sphere', table: 'table' }[P.shape];
+  const medium = onWave() ? [] : [mediumInWords()].filter(Boolean);
   const units = P.unit === 'none' ? 'reduced units, E* = 1, w = 1/2π' : `E* = ${system().modulus} Pa, w = ${system().work} J/m²`;
-  return [kind, ...shown, `${CONTROLS[P.control][2]} = ${show(value, heldKind())}`, units].join(', ');
+  return [kind, ...medium, ...shown, `${controlWords()[2]} = ${show(value, heldKind())}`, units].join(', ');
 }
 /** Pictures as one SVG with the colours that are shown; all four in two columns. */
 function picture(parts = PARTS) {

@@ -9,6 +9,10 @@ const DEFAULTS = {
   L: 1.16754,
   table: EXAMPLE_TABLE,
   smooth: 0, // the length over which a table is smoothed; 0: its rows as they are
+  medium: 'half',
+  grade: 0.5, // k of a half-space with E ∝ zᵏ
+  alpha: 0.4, // Johnson's measure of the adhesion of waves
+  w1: 1, // the work of adhesion of an edge that advances, in that of one that recedes
   control: 'd',
   k: 1,
   axis: 'lin',
@@ -72,7 +76,24 @@ const PRESETS = [
     'A tip of 20 nm on a polymer, on a cantilever of 1 N/m: the base is moved, and the tip jumps in and off. Read the force in nN.',
   ],
   ['Your own tip', { shape: 'table', v: 0.3 }, 'A profile of your own: draw it, or paste a table of radius and height.'],
+  [
+    'Two works of adhesion',
+    { w1: 0.25, v: 0.1, start: 'smallest' },
+    'Surfaces that have touched hold four times as firmly as they attract. Drawn back, the edge stays where it is: pinned. Press further, and it takes more to part them.',
+  ],
+  [
+    'Graded half-space',
+    { medium: 'graded', grade: 0.5, v: 0.25 },
+    'The modulus grows with the depth as E ∝ zᵏ. From k = 0, the half-space, towards 1, where the springs no longer act on each other.',
+  ],
+  [
+    'Johnson’s wave',
+    { medium: 'wave', control: 'F', alpha: 0.4, v: 0.05, start: 'smallest' },
+    'A slightly wavy surface on another, one strip in contact in each period. Pressed on, it snaps into complete contact, and does not come off again.',
+  ],
 ];
+/** Which of them is the tip that is drawn. */
+const OWN_TIP = PRESETS.findIndex(([name]) => name === 'Your own tip');
 const SLIDERS = {
   // label, symbol, from, to, logarithmic, ticks, shown when
   n: [
@@ -88,7 +109,7 @@ const SLIDERS = {
       [2, 'sphere 2'],
       [4, '4'],
     ],
-    () => P.shape === 'power',
+    () => P.shape === 'power' && !onWave(),
   ],
   rho: [
     'steepness g(R₀)/Δl₀',
@@ -102,7 +123,7 @@ const SLIDERS = {
       [2, '2'],
       [3, '3'],
     ],
-    () => P.shape === 'power' || P.shape === 'wavy',
+    () => (P.shape === 'power' || P.shape === 'wavy') && !onWave(),
   ],
   R: [
     'radius of the sphere',
@@ -115,7 +136,7 @@ const SLIDERS = {
       [2, '2'],
       [4, '4'],
     ],
-    () => P.shape === 'sphere',
+    () => P.shape === 'sphere' && !onWave(),
   ],
   A: [
     'amplitude of the waves',
@@ -128,7 +149,7 @@ const SLIDERS = {
       [0.1, '0.1'],
       [0.2, '0.2'],
     ],
-    () => P.shape === 'wavy',
+    () => P.shape === 'wavy' && !onWave(),
   ],
   L: [
     'wavelength',
@@ -142,7 +163,7 @@ const SLIDERS = {
       [1, '1'],
       [2, '2'],
     ],
-    () => P.shape === 'wavy',
+    () => P.shape === 'wavy' && !onWave(),
   ],
   k: [
     'stiffness of the machine',
@@ -157,11 +178,53 @@ const SLIDERS = {
     ],
     () => P.control === 'D',
   ],
+  grade: [
+    'of the grading E ∝ zᵏ',
+    'k',
+    -0.8,
+    0.9,
+    false,
+    [
+      [-0.8, '−0.8'],
+      [0, 'half-space 0'],
+      [0.5, '½'],
+      [0.9, '0.9'],
+    ],
+    () => P.medium === 'graded',
+  ],
+  alpha: [
+    'adhesion of the waves',
+    'α',
+    0.1,
+    1.2,
+    false,
+    [
+      [0.1, '0.1'],
+      [0.57, '0.57'],
+      [1.065, '1.065'],
+    ],
+    onWave,
+  ],
+  w1: [
+    'work as the edge advances',
+    'w₁/w₂',
+    0,
+    1,
+    false,
+    [
+      [0, 'none'],
+      [0.25, '¼'],
+      [0.5, '½'],
+      [1, 'as on the way out'],
+    ],
+    () => true,
+  ],
 };
 /** What the sliders stand for, where units are shown: see scale(). */
 const SHOWN_AS = { R: 'a', A: 'd', L: 'a', k: 'k' };
 const CHOICES = {
   shape: ['power', 'sphere', 'wavy', 'table'],
+  medium: ['half', 'graded', 'springs', 'wave'],
   control: ['d', 'F', 'D'],
   axis: ['lin', 'sqrt', 'log'],
   unit: Object.keys(UNITS),
@@ -182,6 +245,8 @@ const CONTROLS = {
   F: ['force F', 'Force held', 'force F'],
   D: ['machine', 'Position of the machine', 'position D'],
 };
+/** The words of a control: on a button, above its slider, and in a sentence. On a wave forces are mean pressures. */
+const controlWords = () => (onWave() && P.control === 'F' ? ['pressure', 'Mean pressure held', 'mean pressure F'] : CONTROLS[P.control]);
 /** Of waves, folds without end: beyond this radius neither folds nor the range of the control are shown. */
 const WAVES_SHOWN = 1.45;
 /** Near n = ½ folds are at 10¹⁷⁵ R₀: the range of the control does not go so far. */

@@ -2,6 +2,7 @@
 
 let balance, energy, body, force;
 let equilibriumCurve = []; // rows of a, g, Δl, d, F, stable
+let advancingCurve = []; // the same of an edge that advances, with two works of adhesion
 let version = 0; // counts the changes of this curve
 
 /** Makes the pictures: layers from the back to the front, those over the clipped ones last. */
@@ -11,6 +12,7 @@ function pictures() {
     ['shrink', 'path', 'shrink'],
     ['g0', 'path', 'ela0'],
     ['drop', 'path', 'drop'],
+    ['adh1', 'path', 'adh adh1'],
     ['adh', 'path', 'adh'],
     ['ela', 'path', 'ela'],
     ['hit', 'path', 'hit'],
@@ -19,6 +21,7 @@ function pictures() {
     ['marks', 'g', ''],
     ['ring', 'circle', 'm-now'],
     ['tAdh', 'text', 'name t-adh halo'],
+    ['tAdh1', 'text', 'name t-adh halo'],
     ['tEla', 'text', 'name t-ela halo'],
     ['arrows', 'g', ''],
     ['bar', 'path', 'probe-bar'],
@@ -50,6 +53,8 @@ function pictures() {
     ['ghost', 'path', 'ghost'],
     ['pinned', 'path', 'pinned'],
     ['areas', 'g', ''],
+    ['advancing', 'path', 'stable advancing'],
+    ['advancingUnstable', 'path', 'unstable advancing'],
     ['stable', 'path', 'stable'],
     ['unstable', 'path', 'unstable'],
     ['trail', 'path', 'trail'],
@@ -61,6 +66,8 @@ function pictures() {
     ['marks', 'g', ''],
     ['ring', 'circle', 'm-now'],
     ['labels', 'g', ''],
+    ['tRecedes', 'text', 'name t-ink halo'],
+    ['tAdvances', 'text', 'name t-adh halo'],
   ];
   force = new RadiusPlot('force', [26, 14, 40, 48], [...plane, ...planeTop.map((layer) => [...layer, true])]);
   force.plain = () => P.graph === 'force';
@@ -110,13 +117,14 @@ function draw() {
   const samples = P.shape === 'table' ? 0.6 * detail : detail; // a table takes longer than a formula
   if (redraw.curve) {
     equilibriumCurve = engine.curve(low, reach, 300 * samples, spacing());
+    advancingCurve = engine.advancing(low, reach, 300 * samples, spacing());
     version += 1;
     aim();
     redraw.curve = false;
   }
   const gliding = [balance, body, force].map((p) => p.glide());
   const sides = engine.balance(value, low, balance.now[1], (balance.w < 500 ? 160 : 240) * samples);
-  const rest = engine.equilibria(value);
+  const rest = [...engine.equilibria(value), ...engine.advancingAt(value).map((e) => [...e, true])];
   gliding.push(drawEnergy(sides, rest, state));
   drawBalance(sides, rest, state);
   drawForce(rest, state);
@@ -128,7 +136,7 @@ function draw() {
 // ---------------------------------------------------------------- windows
 /** Where each picture looks: at the states that the control can reach. */
 function aim() {
-  const high = Math.sqrt(reach) * 1.1;
+  const high = 1.1 * Math.max(...(equilibriumCurve.length ? equilibriumCurve.map((r) => r[2]) : [Math.sqrt(reach)]));
   balance.aim([0, reach, -0.26 * high, high]);
   const seen = equilibriumCurve.filter((r) => {
     const v = controlled(r[3], r[4]);
@@ -169,14 +177,15 @@ function bodyWindow(depths) {
 }
 
 // ---------------------------------------------------------------- the balance
-const edgeHeight = (a) => balance.y(Math.sqrt(a)); // of Δl(a)
+const edgeHeight = (a, advancing) => balance.y(elongation(a) * (advancing ? ofAdvancing() : 1)); // of Δl(a)
+const radiusName = () => (onWave() ? 'half-width' : 'contact radius');
 
 /** Rows of a, g − d, Δl, d: the curves, the folds and equilibria on them, the state, and names. */
 function drawBalance(sides, rest, state) {
   const p = balance;
   const xs = radiusTicks(p);
   const ys = ticks(p.now[2], p.now[3], p.h < 330 ? 4 : 6, 'd');
-  p.axes(xs, ys, `contact radius a${xs.unit || (P.unit === 'none' ? ' / R₀' : '')}`, `length${ys.unit || ' / Δl₀'}`);
+  p.axes(xs, ys, `${radiusName()} a${xs.unit || (P.unit === 'none' ? ' / R₀' : '')}`, `length${ys.unit || ' / Δl₀'}`);
   const adhesion = sides.map((r) => [r[0], r[2]]);
   const elasticity = sides.map((r) => [r[0], r[1]]);
   const undeformed = P.control === 'd' ? sides.map((r) => [r[0], r[1] + r[3]]) : []; // g, that is d = 0
@@ -184,9 +193,11 @@ function drawBalance(sides, rest, state) {
   set(p.ela, { d: p.path(elasticity) });
   set(p.hit, { d: p.path(elasticity) });
   set(p.g0, { d: p.path(undeformed) });
-  const between = (pick) => p.path([...adhesion, ...sides.map((r) => [r[0], pick(r[1], r[2])]).reverse()]) + 'Z';
-  set(p.grow, { d: between(Math.min) });
-  set(p.shrink, { d: between(Math.max) });
+  const ofGrowth = twoWorks() ? sides.map((r) => [r[0], r[2] * ofAdvancing()]) : adhesion;
+  set(p.adh1, { d: twoWorks() ? p.path(ofGrowth) : '' });
+  const between = (holds, pick) => p.path([...holds, ...sides.map((r, i) => [r[0], pick(r[1], holds[i][1])]).reverse()]) + 'Z';
+  set(p.grow, { d: between(ofGrowth, Math.min) });
+  set(p.shrink, { d: between(adhesion, Math.max) });
   drawArrows();
   const visible = folds.filter((f) => p.shareX(f.a) <= 1);
   drawMarks(visible, rest);
@@ -194,12 +205,16 @@ function drawBalance(sides, rest, state) {
   drawInset(state, visible);
   const pixels = (points) => points.map(([x, y]) => [p.x(x), p.y(y)]);
   const thin = (points) => pixels(points.filter((_, i) => i % 5 === 0));
-  const curves = [thin(adhesion), thin(elasticity), thin(undeformed)];
-  const dots = [here, ...[...rest.map((e) => e[0]), ...visible.map((f) => f.a)].map((a) => [p.x(a), edgeHeight(a)])];
+  const curves = [thin(adhesion), thin(elasticity), thin(undeformed), ...(twoWorks() ? [thin(ofGrowth)] : [])];
+  const marked = [...rest.map((e) => [e[0], e[4]]), ...visible.map((f) => [f.a, f.advancing])];
+  const dots = [here, ...marked.map(([a, advancing]) => [p.x(a), edgeHeight(a, advancing)])];
   p.tEla.textContent = P.control === 'd' ? 'g(a) − d' : 'g(a) − d(a)';
-  p.tAdh.textContent = 'Δl(a)';
-  const taken = beside(p, p.tEla, P.control === 'd' ? 66 : 84, curves[1], curves, dots, null);
-  beside(p, p.tAdh, 44, curves[0], curves, dots, taken);
+  p.tAdh.textContent = twoWorks() ? 'Δl₂(a)' : 'Δl(a)';
+  p.tAdh1.textContent = 'Δl₁(a)';
+  const taken = beside(p, p.tEla, P.control === 'd' ? 66 : 84, curves[1], curves, dots, []);
+  const second = beside(p, p.tAdh, twoWorks() ? 52 : 44, curves[0], curves, dots, [taken]);
+  if (twoWorks()) beside(p, p.tAdh1, 52, curves[3], curves, dots, [taken, second]);
+  else set(p.tAdh1, { opacity: 0 });
 }
 /** Which way the edge would move, along the axis (1.8), (1.9). */
 function drawArrows() {
@@ -210,7 +225,8 @@ function drawArrows() {
   p.pool('arrow', 'path', p.arrows, places, (node, px) => {
     const here = S.kind === 2 ? null : engine.at(value, p.radius(px));
     if (!here) return set(node, { d: '' });
-    const gap = here[2] - here[1];
+    const gap = twoWorks() ? -excess(here[1], here[2]) : here[2] - here[1];
+    if (gap === 0) return set(node, { d: '' });
     const size = Math.min(1, Math.abs(gap) / (0.12 * here[2]) + 0.25);
     const w = 9 * size * Math.sign(gap);
     const d = `M${px - w} ${b - 13}L${px + w} ${b - 8}L${px - w} ${b - 3}Z`;
@@ -220,16 +236,19 @@ function drawArrows() {
 function drawMarks(visible, rest) {
   const p = balance;
   p.pool('fold', 'path', p.marks, visible, (node, f) => {
-    const d = `M${p.x(f.a)} ${edgeHeight(f.a) - 6}l5 6l-5 6l-5 -6Z`;
+    const d = `M${p.x(f.a)} ${edgeHeight(f.a, f.advancing) - 6}l5 6l-5 6l-5 -6Z`;
     set(node, { class: 'm-fold', d, 'data-mark': 'fold', 'data-a': f.a });
   });
-  p.pool('rest', 'circle', p.marks, rest, (node, [a, , , sign]) => {
+  p.pool('rest', 'circle', p.marks, rest, (node, [a, , , sign, advancing]) => {
     const mark = sign > 0 ? 'stable' : 'unstable';
-    set(node, { class: `m-${mark}`, cx: p.x(a), cy: edgeHeight(a), r: sign > 0 ? 6 : 5.2, 'data-mark': mark, 'data-a': a });
+    set(node, { class: `m-${mark}`, cx: p.x(a), cy: edgeHeight(a, advancing), r: sign > 0 ? 6 : 5.2, 'data-mark': mark, 'data-a': a });
   });
   const named = visible.length <= 4 ? visible : [];
   p.pool('foldName', 'text', p.marks, named, (node, f, i) => {
-    set(node, { class: 'math t-ink halo', x: p.x(f.a) - 8, y: edgeHeight(f.a) - 10, 'text-anchor': 'end' });
+    // Above the curve: to the left where it rises, to the right where it falls.
+    const falls = elongation(1.01 * f.a) < elongation(f.a);
+    const [x, anchor] = falls ? [p.x(f.a) + 8, 'start'] : [p.x(f.a) - 8, 'end'];
+    set(node, { class: 'math t-ink halo', x, y: edgeHeight(f.a, f.advancing) - 10, 'text-anchor': anchor });
     node.textContent = named.length > 1 ? 'P' + '₁₂₃₄'[i] : 'P';
   });
 }
@@ -261,30 +280,30 @@ const MAGNIFIED = 4;
 function drawInset(state, visible) {
   const p = balance;
   const focus = state.kind === 1 && state.a > 0 ? state.a : visible.length ? visible[0].a : 0;
-  const shown = focus > 0 && focus < reach && p.w > 420; // beyond the picture there is nothing to magnify
+  const shown = focus > 0 && focus < reach && p.w > 420 && !twoWorks(); // beyond the picture there is nothing to magnify
   const [l, t, right, b] = p.box;
   const [width, height] = [0.34 * (right - l), 0.2 * (b - t)];
   const [x0, middle] = [l + 12, t + 12 + height / 2];
-  const excess = shown ? engine.around(value, focus / 3, Math.min(3 * focus, reach), 60) : [];
+  const near = shown ? engine.around(value, focus / 3, Math.min(3 * focus, reach), 60) : [];
   // Scaled to the smaller half of the differences; the others leave the frame.
-  const differences = excess.map((r) => Math.abs(r[1] - r[2])).sort((u, v) => u - v);
+  const differences = near.map((r) => Math.abs(r[1] - r[2])).sort((u, v) => u - v);
   const size = 1.4 * differences[differences.length >> 1];
   const magnified = ((height / 2 - 4) / size) * p.perY();
   if (!(magnified >= MAGNIFIED && magnified < 1e9)) return set(p.inset, { display: 'none' });
-  const [low, high] = [excess[0][0], excess[excess.length - 1][0]];
+  const [low, high] = [near[0][0], near[near.length - 1][0]];
   const x = (a) => x0 + (width * Math.log(a / low)) / Math.log(high / low);
   const y = (r) => middle - ((r[1] - r[2]) / size) * (height / 2 - 4);
   const framed = (r) => r && Math.abs(r[1] - r[2]) <= size;
-  const curve = excess
-    .map((r, i) => (framed(r) ? `${framed(excess[i - 1]) ? 'L' : 'M'}${x(r[0]).toFixed(1)} ${y(r).toFixed(1)}` : ''))
+  const curve = near
+    .map((r, i) => (framed(r) ? `${framed(near[i - 1]) ? 'L' : 'M'}${x(r[0]).toFixed(1)} ${y(r).toFixed(1)}` : ''))
     .join('');
-  const near = visible.filter((f) => f.a > low && f.a < high).map((f) => `M${x(f.a)} ${middle - 4}l4 4l-4 4l-4 -4Z`);
+  const marked = visible.filter((f) => f.a > low && f.a < high).map((f) => `M${x(f.a)} ${middle - 4}l4 4l-4 4l-4 -4Z`);
   const here = state.kind === 1 ? engine.at(value, focus) : null;
   const parts = [
     ['panel-fill', `M${x0} ${middle - height / 2}h${width}v${height}h${-width}Z`],
     ['adh', `M${x0} ${middle}h${width}`],
     ['ela', curve],
-    ['m-fold', near.join('')],
+    ['m-fold', marked.join('')],
     ['m-now', here ? `M${x(focus) - 6} ${y(here)}a6 6 0 1 0 12 0a6 6 0 1 0 -12 0` : ''],
   ];
   set(p.inset, { display: 'inline' });
@@ -297,9 +316,9 @@ function drawInset(state, visible) {
 }
 
 // ---------------------------------------------------------------- the energy
-/** Π(a) at the held value up to a constant, from ∂Π/∂a = E*[(g − d)² − Δl²] by trapezoids: rows of a, Π. */
+/** Π(a) at the held value up to a constant, from ∂Π/∂a = ½S'[(g − d)² − Δl²] by trapezoids: rows of a, Π. */
 function landscape(sides, origin) {
-  const slope = (r) => r[1] * r[1] - r[2] * r[2];
+  const slope = (r) => weight(r[0]) * drive(r[1], r[2]);
   const step = (i) => ((slope(sides[i]) + slope(sides[i - 1])) / 2) * (sides[i][0] - sides[i - 1][0]);
   // From a radius that matters: under force and machine control the slope is infinite at a = 0, and a sum from there would
   // drown in rounding.

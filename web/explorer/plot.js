@@ -202,13 +202,14 @@ function places(p, width, own) {
   }
   return found;
 }
-/** A name beside its own curve, where the most room is; it stays where it is as long as that is nearly as good. */
+/** A name beside its own curve, where the most room is and none of the names that are `taken`; it stays where it is as long as that is nearly as good. */
 function beside(p, node, width, own, curves, dots, taken) {
   let best = null;
   let kept = null;
   for (const here of places(p, width, own)) {
     const { cx, cy } = here;
-    if (taken && Math.abs(taken[0] - cx) < (width + taken[2]) / 2 + 4 && Math.abs(taken[1] - cy) < 21) continue;
+    const covers = (other) => other && Math.abs(other[0] - cx) < (width + other[2]) / 2 + 4 && Math.abs(other[1] - cy) < 21;
+    if (taken.some(covers)) continue;
     const gap = ([u, v]) => Math.hypot(Math.max(0, Math.abs(u - cx) - width / 2), Math.max(0, Math.abs(v - cy) - 10));
     let room = 24;
     for (const curve of curves) for (const q of curve) room = Math.min(room, gap(q) * (curve === own ? 3 : 1));

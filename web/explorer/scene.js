@@ -11,19 +11,20 @@ const UNITS = {
   own: ['of your own'],
 };
 
-/** The units that are shown: of a radius, a height, E*, w; forces, energies and stiffnesses follow. */
+/** The units that are shown: of a radius, a height, E*, w, and a force, which on a wave is one per area. */
 function system(name = P.unit) {
-  if (name === 'none') return { radius: 1, height: 1, modulus: 1, work: WORK };
+  const whole = (units) => ({ ...units, force: onWave() ? (units.modulus * units.height) / units.radius : units.modulus * units.radius * units.height });
+  if (name === 'none') return whole({ radius: 1, height: 1, modulus: 1, work: WORK });
   const [, R, modulus, work] = name === 'own' ? ['', P.uR, P.uE, P.uw] : UNITS[name];
   const radius = Math.cbrt((2 * Math.PI * R * R * work) / modulus); // R₀²/R = Δl₀ = √(2πR₀w/E*)
-  return { radius, height: Math.sqrt((2 * Math.PI * radius * work) / modulus), modulus, work };
+  return whole({ radius, height: Math.sqrt((2 * Math.PI * radius * work) / modulus), modulus, work });
 }
 /** The factor and the unit of a quantity: a radius a, a height d, a force F, an energy E, a stiffness k. */
 function scale(what) {
   if (P.unit === 'none') return [1, ''];
-  const { radius, height, modulus } = system();
-  const force = modulus * radius * height;
-  return { a: [radius, 'm'], d: [height, 'm'], F: [force, 'N'], E: [force * height, 'J'], k: [modulus * radius, 'N/m'] }[what];
+  const { radius, height, force } = system();
+  const [F, E, k] = onWave() ? ['Pa', 'J/m²', 'Pa/m'] : ['N', 'J', 'N/m'];
+  return { a: [radius, 'm'], d: [height, 'm'], F: [force, F], E: [force * height, E], k: [force / height, k] }[what];
 }
 
 const PREFIX = { '-18': 'a', '-15': 'f', '-12': 'p', '-9': 'n', '-6': 'µ', '-3': 'm', 0: '', 3: 'k', 6: 'M', 9: 'G' };
@@ -52,6 +53,7 @@ function kappa(n) {
 }
 /** [profile] in some units; ρ is g(R₀)/Δl₀. */
 function profileLines({ radius, height }) {
+  if (onWave()) return ['kind = "wave"', `amplitude = ${amplitude() * height}`];
   switch (P.shape) {
     case 'power':
       if (P.n === 2) return ['kind = "paraboloid"', `radius = ${(radius * radius) / (P.rho * height)}`];
@@ -72,23 +74,26 @@ function profileLines({ radius, height }) {
 const CONTROL_KINDS = { d: 'indentation', F: 'force', D: 'machine' };
 /** A scene without outputs: the contact and its control. */
 function sceneHead(units) {
+  const medium = mediumLines(units);
+  const { work } = units;
   const lines = [
     '[material]',
-    `e_star = ${units.modulus}`,
-    `work_of_adhesion = ${units.work}`,
+    ...(['graded', 'springs'].includes(P.medium) ? [] : [`e_star = ${units.modulus}`]),
+    `work_of_adhesion = ${twoWorks() ? `{ advancing = ${work * P.w1}, receding = ${work} }` : work}`,
     '',
+    ...(medium.length ? ['[medium]', ...medium, ''] : []),
     '[profile]',
     ...profileLines(units),
     '',
   ];
   lines.push('[control]', `kind = "${CONTROL_KINDS[P.control]}"`);
-  if (P.control === 'D') lines.push(`stiffness = ${P.k * units.modulus * units.radius}`);
+  if (P.control === 'D') lines.push(`stiffness = ${(P.k * units.force) / units.height}`);
   return lines;
 }
 /** The contact in the units of the engine. */
 const sceneForEngine = () => [...sceneHead(system('none')), '[output]', 'want = ["folds"]', 'arithmetic = "f64"'].join('\n');
 /** What is controlled, in some units. */
-const inUnits = (v, { radius, height, modulus }) => v * (P.control === 'F' ? modulus * radius * height : height);
+const inUnits = (v, { height, force }) => v * (P.control === 'F' ? force : height);
 /** The contact and its way so far, in the units that are shown, as `mdr solve` reads it. */
 function sceneFile() {
   const units = system();

@@ -1,7 +1,7 @@
 // Guided tasks: predict first, then play and measure.
 
 /** A preset with parameters beside it, the value to begin at, and the end of the range to which the control goes. The quantity that is
- * guessed is the value of the control at the first event of these kinds, or at the last one. */
+ * guessed is the value of the control at the first event of these kinds, or at the last one. `press`: where it is pressed to before. */
 const TASKS = [
   {
     name: 'JKR', number: 0, from: 0.25, to: 'low', kinds: ['detached'],
@@ -27,21 +27,31 @@ const TASKS = [
     name: 'Waves', number: 5, from: 0, to: 'low', kinds: ['jump', 'detached'],
     question: 'Pulled off a wavy ball, the contact first jumps from crest to crest. At which depth does that begin?',
   },
+  {
+    name: 'Two works of adhesion', number: 11, parameters: { w1: 0.05, control: 'F' }, from: -0.05, to: 'low', press: 0.05, kinds: ['detached'],
+    question: 'Surfaces that have touched hold twenty times as firmly as they attract. The ball is pressed lightly, by a force of %, and pulled. At which force does it let go?',
+  },
 ];
 let task = -1;
 const done = new Set();
 
 function openTask(index) {
-  const { name, number, parameters, from, question } = TASKS[index];
+  const { name, number, parameters, from, press, question } = TASKS[index];
   task = index;
   preset(number);
   if (parameters) change(parameters);
   value = within(from, range);
-  S = settle(from < 0 && P.control === 'd' && P.n < 0.5 ? 'detached' : origin.start);
+  const apart = press || (from < 0 && P.control === 'd' && P.n < 0.5);
+  S = settle(apart ? 'detached' : origin.start);
   clearTrail();
   origin = { value, start: origin.start };
+  if (press) {
+    move(press);
+    finish();
+    note = '';
+  }
   $('tasks').hidden = false;
-  $('task-text').textContent = `Task ${index + 1} of ${TASKS.length}, ${name}. ${question} Drag your guess.`;
+  $('task-text').textContent = `Task ${index + 1} of ${TASKS.length}, ${name}. ${question.replace('%', show(press, heldKind()))} Drag your guess.`;
   $('task-answer').textContent = '';
   const guess = $('guess');
   set(guess, { min: range[0], max: range[1] });
@@ -53,7 +63,7 @@ function openTask(index) {
 function showGuess() {
   const text = show(+$('guess').value, heldKind());
   $('guess-out').textContent = text;
-  set($('guess'), { 'aria-valuetext': `${CONTROLS[P.control][2]} ${text}` });
+  set($('guess'), { 'aria-valuetext': `${controlWords()[2]} ${text}` });
 }
 /** Moves the control to the end of the task; what the guess was off by. */
 function measure() {
@@ -71,7 +81,7 @@ function measure() {
   const off = Math.abs(guess - at) / (range[1] - range[0]);
   const words = off < 0.02 ? 'Very close.' : off < 0.08 ? 'Near.' : 'Far off: look at the two curves where they touch.';
   $('task-answer').textContent =
-    `It happens at ${CONTROLS[P.control][2]} = ${show(at, heldKind())}; your guess was ${show(guess, heldKind())}. ${words}`;
+    `It happens at ${controlWords()[2]} = ${show(at, heldKind())}; your guess was ${show(guess, heldKind())}. ${words}`;
   done.add(task);
   saveSoon();
 }

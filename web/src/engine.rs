@@ -1,15 +1,19 @@
 //! A contact, the control that is held, and the heights of its profile.
 
 use std::cell::RefCell;
+use std::f64::consts::PI;
+use std::sync::Arc;
 
+use mdr::answer::Field;
 use mdr::columns::ContactColumns;
 use mdr::prelude::*;
 use mdr::{ContactError, Error, scene};
-use mdr_core::contact::{Profile as Heights, Quantity, Transform};
+use mdr_core::contact::{Edge, Profile as Heights, Quantity, Transform};
 use mdr_numeric::profiles;
 use mdr_numeric::table::{MeasuredProfile, Table};
 use mdr_numeric::transform::Quadrature;
 
+use crate::edges::BothEdges;
 use crate::picture::{self, Sampled};
 
 /// Rows of results.
@@ -17,7 +21,10 @@ type Rows<const N: usize> = Result<Vec<[f64; N]>, Error>;
 
 /// The contact that the page shows.
 pub(crate) struct Engine {
+    /// With two works of adhesion, that of the receding edge.
     contact: ContactColumns,
+    both: Option<BothEdges>,
+    on_half_space: bool,
     control: Control<f64>,
     profile: Profile,
     /// For the gap, which needs g at more radii than can be computed for every frame.
@@ -28,6 +35,8 @@ pub(crate) struct Engine {
 enum Profile {
     Shape(profiles::Heights<f64>),
     Table(MeasuredProfile<f64>),
+    /// A wave h₀(1 − cos 2πr/λ), of h₀ and λ.
+    Wave(f64, f64),
 }
 
 impl Engine {
@@ -44,27 +53,56 @@ impl Engine {
                 let smooth = measured.length().map(|length| rows.smoothed(length)).transpose().map_err(refused)?;
                 Profile::Table(smooth.map_or(rows, |(smooth, _)| smooth).profile(())?)
             }
-            _ => {
-                let why = "the page shows one shape of the library, or a table".to_owned();
-                return Err(Error::Scene { place: None, key: "profile.kind".to_owned(), why });
+            scene::Profile::Wave(amplitude) => {
+                let ExactMedium::Periodic { wavelength, .. } = scene.pressed_into() else { return Err(unshown()) };
+                Profile::Wave(amplitude.nearest_f64(), wavelength.nearest_f64())
             }
+            _ => return Err(unshown()),
         };
         let control = scene.controlled().try_map(|stiffness| Ok::<_, Error>(stiffness.nearest_f64()))?;
-        Ok(Engine { contact: ContactColumns::new(&scene)?, control, profile, sampled: RefCell::default() })
+        let on_half_space = scene.pressed_into().is_half_space();
+        let (contact, both) = if scene.has_two_works() {
+            let contact = scene.contact()?;
+            let [modulus, work] = [*contact.modulus(), *contact.adhesion().of(Edge::Receding)];
+            let one = Scene::new(scene.profile().clone(), Elasticity::effective(modulus)?, work)?;
+            let one = one.medium(scene.pressed_into().clone())?;
+            (ContactColumns::new(&one)?, Some(BothEdges::new(contact, profile.transform().as_ref())?))
+        } else {
+            (ContactColumns::new(&scene)?, None)
+        };
+        Ok(Engine { contact, both, on_half_space, control, profile, sampled: RefCell::default() })
     }
 
+    /// Those of the advancing edge, if it is another one, have a kind that is larger by 2.
     pub(crate) fn folds(&self) -> Rows<4> {
         let row = |fold: mdr_core::contact::Fold<f64>| {
             let kind = f64::from(u8::from(fold.kind == FoldKind::Maximum));
             [fold.contact_radius, fold.indentation, fold.force, kind]
         };
-        Ok(self.contact.folds(&self.control)?.into_iter().map(row).collect())
+        let advancing = self.both.iter().flat_map(BothEdges::advancing_folds);
+        let advancing = advancing.map(|[a, d, force, kind]| [a, d, force, kind + 2.0]);
+        Ok(self.contact.folds(&self.control)?.into_iter().map(row).chain(advancing).collect())
+    }
+
+    pub(crate) fn advancing_curve(&self, radii: &[f64]) -> Rows<6> {
+        let rows = self.both.as_ref().map(|both| both.advancing_curve(radii)).transpose()?.unwrap_or_default();
+        Ok(rows.into_iter().filter(known).collect())
+    }
+
+    pub(crate) fn advancing_at(&self, value: f64) -> Rows<4> {
+        Ok(self.both.as_ref().map(|both| both.advancing_at(value)).transpose()?.unwrap_or_default())
+    }
+
+    pub(crate) fn pinned(&self, a: f64, value: f64) -> Rows<2> {
+        let row = self.both.as_ref().map(|both| both.pinned(a, value)).transpose()?;
+        Ok(row.into_iter().filter(known).collect())
     }
 
     pub(crate) fn outer_radius(&self) -> f64 {
         let outer = match &self.profile {
             Profile::Shape(shape) => shape.outer_radius(),
             Profile::Table(table) => Heights::outer_radius(table),
+            Profile::Wave(_, wavelength) => Some(wavelength / 2.0),
         };
         outer.unwrap_or(f64::INFINITY)
     }
@@ -105,19 +143,22 @@ impl Engine {
         Ok(self.contact.equilibria_at(&self.control, value)?.into_iter().map(row).collect())
     }
 
-    pub(crate) fn advance(&self, a: f64, from: f64, to: f64) -> Rows<9> {
+    pub(crate) fn advance(&self, a: f64, from: f64, to: f64) -> Rows<10> {
         let start = if a < 0.0 { Start::Detached } else { Start::Nearest(a) };
+        if let Some(both) = &self.both {
+            return Ok(both.advance(&start, [from, to])?);
+        }
         let history = self.contact.follow(&self.control, &[from, to], &start)?;
-        let mut rows: Vec<[f64; 9]> = Vec::new();
+        let mut rows: Vec<[f64; 10]> = Vec::new();
         for event in &history.jumps {
             let [before, after] = [event.before, event.after].map(|s| [s.contact_radius, s.indentation, s.force]);
             let [[a, d, force], [to_a, to_d, to_force]] = [before, after];
-            rows.push([number(event.kind), event.value, a, d, force, to_a, to_d, to_force, event.dissipated]);
+            rows.push([number(event.kind), event.value, a, d, force, to_a, to_d, to_force, event.dissipated, 0.0]);
         }
         let states = &history.states;
         if states.status.get(1) == Some(&Status::Ok) {
             let [a, d, force] = [states.contact_radius[1], states.indentation[1], states.force[1]];
-            rows.push([number(EventKind::End), to, a, d, force, a, d, force, 0.0]);
+            rows.push([number(EventKind::End), to, a, d, force, a, d, force, 0.0, 0.0]);
         }
         Ok(rows)
     }
@@ -127,7 +168,8 @@ impl Engine {
         ContactError::require_finite(Quantity::Indentation, &d)?;
         let high = ContactError::require_positive(Quantity::Radius, high)?.min(self.outer_radius());
         let edge = a.max(0.0).min(high);
-        let outside = count / 2;
+        // A gap on another medium than a half-space takes longer.
+        let outside = if self.on_half_space { count / 2 } else { count / 4 };
         let inside = picture::radii(0.0, edge, count - outside, 2.0)?.into_iter().map(|r| (r, 0.0));
         // Closest to the edge, where the neck is steep.
         let beyond: Vec<f64> = picture::radii(0.0, high - edge, outside, 2.0)?.iter().map(|from| edge + from).collect();
@@ -136,7 +178,17 @@ impl Engine {
         Ok(all.map(|(r, gap)| [r, self.height(r), gap]).filter(known).collect())
     }
 
+    /// The gap at radii. On another medium than a half-space it is that of the state in equilibrium.
     fn gaps(&self, a: f64, d: f64, high: f64, radii: &[f64]) -> Result<Vec<f64>, Error> {
+        if a >= high {
+            return Ok(vec![0.0; radii.len()]);
+        }
+        if !self.on_half_space {
+            // At the edge itself there is none yet.
+            let beyond: Vec<f64> = radii.iter().copied().filter(|r| *r > a).collect();
+            let edge = std::iter::repeat_n(0.0, radii.len() - beyond.len());
+            return Ok(edge.chain(self.contact.field(Field::Gap, a, &beyond)?).collect());
+        }
         let mut sampled = self.sampled.borrow_mut();
         if sampled.as_ref().is_none_or(|sampled| sampled.high() != high) {
             let [g, ..] = self.contact.transform(&Sampled::radii(high)?)?;
@@ -151,18 +203,31 @@ impl Engine {
             _ if r == 0.0 => 0.0,
             Profile::Shape(shape) => shape.height(&r),
             Profile::Table(table) => table.height(&r),
+            Profile::Wave(amplitude, wavelength) => 2.0 * amplitude * (PI * r / wavelength).sin().powi(2),
         }
     }
 
     pub(crate) fn verify(&self, a: f64) -> Result<[f64; 3], Error> {
-        let [g, ..] = self.contact.transform(&[a])?;
-        let quadrature = match &self.profile {
-            Profile::Shape(shape) => Quadrature::new(shape.clone()).g(&a)?,
-            Profile::Table(table) => Quadrature::new(table.clone()).g(&a)?,
+        let Some(quadrature) = self.profile.transform().filter(|_| self.on_half_space) else {
+            let why = "(1.1) is that of a half-space".to_owned();
+            return Err(Error::Scene { place: None, key: "medium.kind".to_owned(), why });
         };
+        let [g, ..] = self.contact.transform(&[a])?;
+        let quadrature = quadrature.g(&a)?;
         let g = g.first().copied().unwrap_or(f64::NAN);
         let difference = if g == quadrature { 0.0 } else { (g - quadrature).abs() / g.abs() };
         Ok([g, quadrature, difference])
+    }
+}
+
+impl Profile {
+    /// g on a half-space, by quadrature of (1.1); a wave without end has none.
+    fn transform(&self) -> Option<Arc<dyn Transform<f64>>> {
+        match self {
+            Profile::Shape(shape) => Some(Arc::new(Quadrature::new(shape.clone()))),
+            Profile::Table(table) => Some(Arc::new(Quadrature::new(table.clone()))),
+            Profile::Wave(..) => None,
+        }
     }
 }
 
@@ -182,7 +247,18 @@ fn refused(error: impl std::fmt::Display) -> Error {
     Error::Scene { place: None, key: "profile.file".to_owned(), why: error.to_string() }
 }
 
-fn number(kind: EventKind) -> f64 {
+fn unshown() -> Error {
+    let why = "the page shows one shape of the library, a table, or a wave on a periodic medium".to_owned();
+    Error::Scene { place: None, key: "profile.kind".to_owned(), why }
+}
+
+/// Whether the contact changes in an event, and may lose energy.
+pub(crate) fn changes(kind: EventKind) -> bool {
+    matches!(kind, EventKind::JumpIn | EventKind::Jump | EventKind::Detached | EventKind::CompleteContact)
+}
+
+/// The number of an event in a row of the engine.
+pub(crate) fn number(kind: EventKind) -> f64 {
     f64::from(match kind {
         EventKind::Start => 0u8,
         EventKind::Touch => 1,

@@ -5,6 +5,7 @@
 //! rows there are, or a negative [`Failure`], of which [`message`] says more. No other thing crosses the border: no objects, no
 //! generated glue. Whatever comes in, a call returns: a panic would end the instance, of which the page then makes a new one.
 
+mod edges;
 mod engine;
 mod picture;
 
@@ -116,7 +117,8 @@ pub fn write(text: &[u8]) {
     INPUT.with_borrow_mut(|input| text.clone_into(input));
 }
 
-/// Opens a contact and finds its folds: rows of a, d, F, kind (0 minimum, 1 maximum). The input is a scene as TOML of `scene`
+/// Opens a contact and finds its folds: rows of a, d, F, kind (0 minimum, 1 maximum; of an advancing edge with a work of adhesion
+/// of its own 2 and 3). The input is a scene as TOML of `scene`
 /// bytes, and after it the table of a measured profile as CSV, if the scene names one.
 #[allow(unsafe_code, reason = "an exported name")]
 #[unsafe(no_mangle)]
@@ -169,11 +171,34 @@ pub extern "C" fn equilibria(value: f64) -> i32 {
     ask(|engine| engine.equilibria(value))
 }
 
+/// The curve of equilibria of an advancing edge, where there are two works of adhesion: rows as those of [`curve`], which then
+/// has those of the receding edge. No rows where there is one work.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn advancing_curve(low: f64, high: f64, count: u32, power: f64) -> i32 {
+    ask(|engine| engine.advancing_curve(&picture::radii(low, high, count, power)?))
+}
+
+/// All equilibria of an advancing edge, where there are two works of adhesion: rows as those of [`equilibria`].
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn advancing_equilibria(value: f64) -> i32 {
+    ask(|engine| engine.advancing_at(value))
+}
+
+/// An edge that is pinned at the radius `a` between two works of adhesion while the control is held at `value`: a row of d, F.
+#[allow(unsafe_code, reason = "an exported name")]
+#[unsafe(no_mangle)]
+pub extern "C" fn pinned(a: f64, value: f64) -> i32 {
+    ask(|engine| engine.pinned(a, value))
+}
+
 /// Moves the control from `from` to `to`, starting at the equilibrium next to the radius `a`, or detached for a < 0: rows of
-/// kind, value, a, d, F before, a, d, F after, and the energy lost, infinite where it has no bound.
+/// kind, value, a, d, F before, a, d, F after, the energy lost in a jump, infinite where it has no bound, and what a receding edge
+/// has lost since the row before. With two works of adhesion it starts with an edge that is pinned at `a`, where it can be.
 ///
-/// Kinds: 1 touch, 2 jump-in, 3 jump, 4 detached, 5 complete contact, 6 end of the profile, 7 undecided, 8 not admissible;
-/// 10, the last row, is the arrival at `to`, if the path gets there. Surfaces that are apart have a = 0, and those that touch
+/// Kinds: 1 touch, 2 jump-in, 3 jump, 4 detached, 5 complete contact, 6 end of the profile, 7 undecided, 8 not admissible, 11
+/// pinned, 12 depinned; 10, the last row, is the arrival at `to`, if the path gets there. Surfaces that are apart have a = 0, and those that touch
 /// everywhere NaN.
 #[allow(unsafe_code, reason = "an exported name")]
 #[unsafe(no_mangle)]

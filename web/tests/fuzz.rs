@@ -5,7 +5,10 @@ use std::cell::RefCell;
 use std::io::Write as _;
 use std::sync::Once;
 
-use mdr_wasm::{Failure, advance, balance, contact, curve, equilibria, input, kappa, surface, verify};
+use mdr_wasm::{
+    Failure, advance, advancing_curve, advancing_equilibria, balance, contact, curve, equilibria, input, kappa, pinned,
+    surface, verify,
+};
 
 /// Splitmix64: the same numbers on every machine.
 struct Random(u64);
@@ -76,7 +79,7 @@ fn parameter(random: &mut Random, low: f64, high: f64) -> String {
 fn profile(random: &mut Random) -> (String, String) {
     let kinds = "power power power paraboloid ellipsoid wavy-paraboloid wavy-paraboloid table sphere cone flat-punch \
         truncated-cone truncated-paraboloid cone-parabolic-cap cone-spherical-cap hyperboloid rounded-punch \
-        displaced-paraboloid parabolic-dimple elliptical-dimple expression";
+        displaced-paraboloid parabolic-dimple elliptical-dimple expression wave wave";
     let kinds: Vec<&str> = kinds.split_whitespace().collect();
     let kind = random.pick(&kinds);
     let mut lines = format!("kind = \"{kind}\"\n");
@@ -91,6 +94,7 @@ fn profile(random: &mut Random) -> (String, String) {
             set(&mut lines, random, "n", n, n);
             set(&mut lines, random, "c", c, c);
         }
+        "wave" => set(&mut lines, random, "amplitude", 0.1, 3.0),
         "ellipsoid" => ["lateral", "height"].iter().for_each(|key| set(&mut lines, random, key, 0.5, 36.0)),
         "wavy-paraboloid" => {
             // Waves without end are a search without end: they stay within what the page allows.
@@ -154,6 +158,22 @@ fn table(random: &mut Random) -> String {
     rows.join("\n")
 }
 
+/// A medium as the page writes it: a half-space most of the time, and off it power laws alone.
+fn medium(random: &mut Random, profile: &str) -> String {
+    if profile.starts_with("kind = \"wave\"") {
+        return format!("[medium]\nkind = \"periodic\"\nwavelength = {}\n", parameter(random, 1.0, 4.0));
+    }
+    let law = ["power", "paraboloid"].iter().any(|kind| profile.starts_with(&format!("kind = \"{kind}\"")));
+    match random.bits() % 3 {
+        0 if law => format!("[medium]\nkind = \"winkler\"\nmodulus = {}\n", parameter(random, 0.1, 1.0)),
+        1 if law => {
+            let (k, c) = (random.between(-0.95, 0.95), parameter(random, 0.5, 2.0));
+            format!("[medium]\nkind = \"graded\"\nexponent = {k}\ncoefficient = {c}\n")
+        }
+        _ => String::new(),
+    }
+}
+
 /// Writes a scene with E* = 1 and w = 1/2π, most of the time; its bytes, without its table.
 fn open(random: &mut Random) -> usize {
     let (profile, table) = profile(random);
@@ -162,9 +182,14 @@ fn open(random: &mut Random) -> usize {
         1 => "kind = \"force\"".to_owned(),
         _ => format!("kind = \"machine\"\nstiffness = {}", parameter(random, 0.03, 100.0)),
     };
-    let [modulus, work] = [1.0, 0.5 / std::f64::consts::PI].map(|usual| parameter(random, usual, usual));
+    let [modulus, mut work] = [1.0, 0.5 / std::f64::consts::PI].map(|usual| parameter(random, usual, usual));
+    if random.bits().is_multiple_of(3) {
+        let advancing = parameter(random, 1e-3, 0.5 / std::f64::consts::PI);
+        work = format!("{{ advancing = {advancing}, receding = {work} }}");
+    }
+    let medium = medium(random, &profile);
     let scene = format!(
-        "[material]\ne_star = {modulus}\nwork_of_adhesion = {work}\n[control]\n{control}\n[profile]\n{profile}\n[output]\nwant = [\"folds\"]\n"
+        "[material]\ne_star = {modulus}\nwork_of_adhesion = {work}\n{medium}[control]\n{control}\n[profile]\n{profile}\n[output]\nwant = [\"folds\"]\n"
     );
     input(scene.len() + table.len());
     mdr_wasm::write(&[scene.as_bytes(), table.as_bytes()].concat());
@@ -210,7 +235,7 @@ fn ask(random: &mut Random) {
     let [low, high] = [random.number(1e-6, 3.0), random.number(1e-6, 6.0)];
     let (count, power) = (random.count(), random.pick(&[0.0, 1.0, 2.0, 2.0, -1.0, 1e-300, f64::NAN, f64::INFINITY]));
     let note = |text: String| CALLED.with_borrow_mut(|[_, call]| *call = text);
-    match random.bits() % 7 {
+    match random.bits() % 9 {
         0 => {
             note(format!("curve({low:?}, {high:?}, {count}, {power:?})"));
             checked(curve(low, high, count, power), 6, false);
@@ -226,11 +251,20 @@ fn ask(random: &mut Random) {
         3 | 4 => {
             let to = random.number(-1.5, 1.5);
             note(format!("advance({low:?}, {value:?}, {to:?})"));
-            checked(advance(low, value, to), 9, true);
+            checked(advance(low, value, to), 10, true);
         }
         5 => {
             note(format!("surface({low:?}, {value:?}, {high:?}, {count})"));
             checked(surface(low, value, high, count), 3, false);
+        }
+        6 => {
+            note(format!("advancing_curve({low:?}, {high:?}, {count}, {power:?})"));
+            checked(advancing_curve(low, high, count, power), 6, false);
+        }
+        7 => {
+            note(format!("advancing_equilibria({value:?}), pinned({low:?}, {value:?})"));
+            checked(advancing_equilibria(value), 4, false);
+            checked(pinned(low, value), 2, false);
         }
         _ => {
             note(format!("verify({low:?}), kappa({value:?}), outer_radius()"));
