@@ -8,6 +8,7 @@ import sys
 
 from dask.distributed import Client, LocalCluster
 
+import pool
 from pool import curve, fitted, pull_off
 
 import mdr
@@ -23,13 +24,16 @@ def sweep(client: Client) -> tuple[list[float], list[mdr.Fit]]:
 
 def main() -> None:
     if len(sys.argv) > 1:
-        client = Client(sys.argv[1])
-        client.upload_file("pool.py")  # its functions, for workers on other machines
+        with Client(sys.argv[1]) as client:  # what others run there goes on afterwards
+            client.upload_file(pool.__file__)  # its functions, for workers on other machines
+            report(*sweep(client))
     else:
-        client = Client(LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None))
-    forces, fits = sweep(client)
+        with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+            report(*sweep(client))
+
+
+def report(forces: list[float], fits: list[mdr.Fit]) -> None:
     print(*(f"{force:.6e} N" for force in forces), *(fit.status for fit in fits))
-    client.shutdown()
 
 
 if __name__ == "__main__":
