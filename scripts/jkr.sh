@@ -59,7 +59,7 @@ if command -v gfortran >/dev/null; then
     gfortran -std=f2008 -O2 -Wall -Wextra -pedantic -Werror -J"$work" c/jkr/jkr.f90 c/jkr/test_jkr.f90 "$work/jkr_fortran.o" -o "$work/test-fortran"
     "$work/test-fortran"
 else
-    echo "skipped: Fortran; there is no gfortran"
+    echo "skipped: Fortran; there is no gfortran (scripts/fortran.sh)"
 fi
 
 environment=$work/python

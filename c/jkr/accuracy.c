@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Random questions to jkr.h with its answers, for accuracy.py: `accuracy N SEED`, one record of twelve hexadecimal numbers a line.
- * Scales are 10^+-12, 10^+-60 or 10^+-150; values lie about folds and about zeros of d, F and dF/dd, down to neighbouring doubles,
- * and far away. */
+ * Scales are 10^+-12, 10^+-60, 10^+-150 or 10^+-307; values lie about folds and about zeros of d, F and dF/dd, down to
+ * neighbouring doubles, and far away. */
 #include "jkr.h"
 
 #include <stdint.h>
@@ -53,7 +53,7 @@ int main(int count, char **arguments)
     long n = count > 1 ? atol(arguments[1]) : 1000, i;
     seed ^= (uint64_t)(count > 2 ? atol(arguments[2]) : 0) * UINT64_C(0x9E3779B97F4A7C15);
     for (i = 0; i < n; i++) {
-        const double range = random_bits() % 3 ? 12 : coin() ? 60 : 150;
+        const double range = random_bits() % 3 ? 12 : coin() ? 60 : coin() ? 150 : 307;
         const int question = (int)(random_bits() % 5);
         double R = decades(-range, range), E = decades(-range, range), w = decades(-range, range), x = 0, a0 = 0, w1 = 0;
         jkr_contact contact, advancing;

@@ -59,10 +59,10 @@ enum jkr_status {
     JKR_NO_EQUILIBRIUM,
     /* Of jkr_follow: the surfaces are apart, or have come apart. a, F and the stiffness are 0. */
     JKR_DETACHED,
-    /* A member of the state is infinite, being beyond the doubles; at a given force also a stiffness at the fold of the other
-     * control. The other members hold. */
+    /* A member of the state is infinite, being beyond the doubles, be the state a fold or not; at a given force also a stiffness at
+     * the fold of the other control. The other members hold. */
     JKR_OVERFLOW,
-    /* A member of the state is subnormal or 0, being below the normal doubles. The others hold. */
+    /* A member of the state is subnormal or 0, being below the normal doubles, be the state a fold or not. The others hold. */
     JKR_UNDERFLOW,
     /* Not a question: NaN, infinity, R <= 0, E* <= 0, w < 0, a < 0, w of receding below that of advancing. All are 0. */
     JKR_DOMAIN_ERROR,
