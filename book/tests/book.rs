@@ -172,6 +172,17 @@ fn no_formula_is_typed_as_text_on_the_page_of_an_entry() {
 }
 
 #[test]
+fn theory_and_validity_are_typeset() {
+    for name in ["theory.html", "validity.html"] {
+        let page = std::str::from_utf8(&book()[name]).unwrap();
+        let text = words(part(page, "<main", "</main>"));
+        for typed in ["^", "√", "∫", "_"] {
+            assert!(!text.contains(typed), "{name}: {typed} in {text}");
+        }
+    }
+}
+
+#[test]
 fn a_correction_is_marked_on_both_forms() {
     for id in ["1.15", "1.17"] {
         let page = std::str::from_utf8(&book()[&format!("{id}.html")]).unwrap();
