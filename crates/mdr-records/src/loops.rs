@@ -34,8 +34,8 @@ pub(crate) const LOOPS: &[Question] = questions! {
     "loop-state" "unit" Indentation RADIUS_AND_FORCE ["receding"] "2" "0.5" "1" "0.04" "1" "turn" = "1" "d" = "-1.5";
     "loop-state" "unit" Force RADIUS_AND_DEPTH ["pinned"] "2" "0.5" "1" "0.04" "1" "turn" = "2" "F" = "-4";
     "loop-work" "unit" Indentation ENERGY [] "2" "0.5" "1" "0.04" "1" "turn" = "1";
-    "loop-pull-off" "cone" Force LENGTHS ["pressed-too-little"] "1" "1" "1" "0" "0.1" "turn" = "0.01";
-    "loop-work" "cone" Indentation ENERGY [] "1" "1" "1" "0" "0.1" "turn" = "0.5";
+    "loop-pull-off" "cone-unit" Force LENGTHS ["pressed-too-little"] "1" "1" "1" "0" "0.1" "turn" = "0.01";
+    "loop-work" "cone-unit" Indentation ENERGY [] "1" "1" "1" "0" "0.1" "turn" = "0.5";
 };
 
 /// The values of the quantities, enclosed.
