@@ -140,7 +140,8 @@ function drawLeaps(leaps) {
   const begun = leaps.filter(({ points: [from] }) => !Number.isNaN(inPlane(from)[0] + inPlane(from)[1]));
   const arrows = begun.map(({ points: [from, to] }) => {
     const [x0, y0] = inPlane(from);
-    const [x1, y1] = to ? inPlane(to) : folding() ? [1e9, y0] : [x0, -1e9];
+    // Into complete contact: under a dead load at its force, else to ever larger tension.
+    const [x1, y1] = to ? inPlane(to) : folding() || P.control === 'F' ? [1e9, y0] : [x0, -1e9];
     return [p.x(x0), p.y(y0), Number.isFinite(x1) ? p.x(x1) : p.box[0] - 30, p.y(folding() ? y0 : y1)];
   });
   p.pool('leap', 'path', p.leaps, arrows, (node, [x0, y0, x1, y1]) =>

@@ -51,6 +51,7 @@ function openTask(index) {
     note = '';
   }
   $('tasks').hidden = false;
+  $('note').textContent = ''; // that of the preset may give the answer away
   $('task-text').textContent = `Task ${index + 1} of ${TASKS.length}, ${name}. ${question.replace('%', show(press, heldKind()))} Drag your guess.`;
   $('task-answer').textContent = '';
   const guess = $('guess');

@@ -90,7 +90,13 @@ impl Engine {
     }
 
     pub(crate) fn advancing_at(&self, value: f64) -> Rows<4> {
-        Ok(self.both.as_ref().map(|both| both.advancing_at(value)).transpose()?.unwrap_or_default())
+        let found = self.both.as_ref().map(|both| both.advancing_at(value)).transpose()?.unwrap_or_default();
+        Ok(found.into_iter().filter(|row| self.is_partial(row)).collect())
+    }
+
+    /// Whether the edge is within the period of a wave: at its end the contact is complete, a state of its own.
+    fn is_partial(&self, row: &[f64; 4]) -> bool {
+        !matches!(self.profile, Profile::Wave(..)) || row[0] < self.outer_radius() * (1.0 - 1e-9)
     }
 
     pub(crate) fn pinned(&self, a: f64, value: f64) -> Rows<2> {
@@ -140,7 +146,13 @@ impl Engine {
             };
             [state.contact_radius, d, force, sign]
         };
-        Ok(self.contact.equilibria_at(&self.control, value)?.into_iter().map(row).collect())
+        Ok(self
+            .contact
+            .equilibria_at(&self.control, value)?
+            .into_iter()
+            .map(row)
+            .filter(|row| self.is_partial(row))
+            .collect())
     }
 
     pub(crate) fn advance(&self, a: f64, from: f64, to: f64) -> Rows<10> {

@@ -151,6 +151,7 @@ fn a_wave_comes_into_complete_contact_and_ends_at_half_of_its_length() {
     assert_eq!(mdr_wasm::outer_radius(), 1.0);
     let events: Vec<[f64; 10]> = rows(advance(-1.0, -0.1, 2.0));
     assert_eq!(events.iter().map(|row| row[0]).collect::<Vec<_>>(), [2.0, 5.0]);
+    assert_eq!(equilibria(2.0), 0, "complete contact is no state of an edge");
     for [r, height, _] in rows::<3>(surface(0.3, 0.0, 1.0, 20)) {
         close(height, 0.6 * (1.0 - (PI * r).cos()), 1e-12);
     }

@@ -220,7 +220,7 @@ test('sixty states and sixty paths are those of mdr solve --f64', async () => {
     const answer = solve(files, '--f64');
     assert.equal(+d.folds, answer.folds.length, `${what}, folds`);
     // Every equilibrium at the value, and whether it is stable; of two works of adhesion those of the edge that recedes.
-    const states = answer.equilibria[0].equilibria.filter((e) => P.w1 === 1 || e.edge === 'receding');
+    const states = answer.equilibria[0].equilibria.filter((e) => P.w1 === 1 || e.edge === 'receding').filter((e) => P.medium !== 'wave' || e.contact_radius < radius * (1 - 1e-9));
     assert.equal(rest.length, states.length, `${what}: equilibria at ${d.value}`);
     rest.forEach(([a, depth, F, sign], i) => {
       same(a, states[i].contact_radius / radius, `a of state ${i}`);

@@ -44,6 +44,7 @@ test('a lecture, a laptop and a phone on its side need no scrolling, and the sli
     [1280, 720, '#lecture&v=0.25', ['balance', 'body', 'force', 'value'], ['s-n', 'energy']],
     [1366, 768, '', ['balance', 'energy', 'body', 'force', 'value', 's-n'], []],
     [844, 390, '', ['balance', 'value'], ['energy']],
+    [844, 390, '#task=1', ['balance', 'guess', 'task-play', 'value'], ['energy']],
     [844, 390, '#lecture', ['balance', 'force', 'value', 'lecture'], ['body']],
     [390, 844, '#lecture', ['balance', 'body', 'force', 'value', 'lecture'], ['energy']],
   ]) {
@@ -62,6 +63,19 @@ test('a lecture, a laptop and a phone on its side need no scrolling, and the sli
     assert.deepEqual(page.problems, []);
     await page.close();
   }
+});
+
+test('what the page says is whole in a lecture and on a phone on its side', async () => {
+  for (const [width, height, mode] of [
+    [1280, 720, 'lecture&'],
+    [844, 390, ''],
+  ])
+    for (const hash of ['n=0.3&axis=sqrt&v=0', 'w1=0.25&v=0.1&a=0.85', 'n=0.3&v=0.1&a=all']) {
+      const page = await open(browser, `#${mode}${hash}`, { viewport: { width, height } });
+      const story = await page.$eval('#story', (e) => [e.scrollWidth - e.clientWidth, e.scrollHeight - e.clientHeight, e.textContent]);
+      assert.ok(story[0] <= 0 && story[1] <= 1, `${width}: ${story}`);
+      await page.close();
+    }
 });
 
 test('lecture: by key and address, letters 1.4 times, dragging goes as far as the pointer', async () => {
