@@ -5,8 +5,8 @@ const PERIOD = 2;
 const onWave = () => P.medium === 'wave';
 /** Whether an edge that recedes needs another work of adhesion than one that advances gains. */
 const twoWorks = () => P.w1 < 1;
-/** Waves that are higher than this for their length make more than about a hundred folds. */
-const highestWaves = ({ L, rho }) => 0.7 * L * L * rho;
+/** Waves that are higher than this for their length make folds by the hundred. */
+const highestWaves = ({ L, rho }) => 0.5 * L * L * rho;
 /** Parameters with what has to go with them: off a half-space g of a power law is a closed form, and that of other shapes takes
  * too long for a page; so do folds by the thousand. */
 function together(parameters) {
