@@ -75,7 +75,7 @@ void mdr_text_free(char *text);
 
 /* ---- The contact of a scene, in columns of doubles ---- */
 
-/* The outputs and the control of the scene are not used. */
+/* The outputs and the control of the scene are not used. With two works of adhesion it is an error: mdr_scene_solve follows these. */
 mdr_contact *mdr_contact_new(const mdr_scene *scene);
 void mdr_contact_free(mdr_contact *contact);
 

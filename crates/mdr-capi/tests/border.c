@@ -34,13 +34,23 @@ static mdr_contact *bead(void)
 static void errors(void)
 {
     mdr_contact *contact = bead();
+    mdr_scene *scene;
+    char *answer;
     double number = 1;
     CHECK(mdr_scene_read(NULL) == NULL && strstr(mdr_error(), "null") != NULL);
     CHECK(mdr_scene_read("[profile]\nkind = \"spher\"\n") == NULL && strstr(mdr_error(), "sphere") != NULL);
     CHECK(mdr_scene_read("\xff") == NULL && strstr(mdr_error(), "UTF-8") != NULL);
     CHECK(mdr_scene_open("/no/such/file.toml") == NULL && strstr(mdr_error(), "/no/such/file.toml") != NULL);
     CHECK(mdr_contact_new(NULL) == NULL && strcmp(mdr_error(), "") != 0);
-    CHECK(mdr_scene_solve(NULL, 0) == NULL);
+    scene = mdr_scene_read("[profile]\nkind = \"paraboloid\"\nradius = 1\n[material]\ne_star = 1\n"
+                           "work_of_adhesion = { advancing = 0, receding = 1 }\n"
+                           "[control]\nkind = \"force\"\npath = [1, -5]\n[output]\nwant = [\"path\"]\n");
+    CHECK(scene != NULL && mdr_contact_new(scene) == NULL && strstr(mdr_error(), "work_of_adhesion") != NULL);
+    answer = mdr_scene_solve(scene, -1);
+    CHECK(answer != NULL && strstr(answer, "\"receding\"") != NULL);
+    mdr_text_free(answer);
+    mdr_scene_free(scene);
+    CHECK(mdr_scene_solve(NULL, 0) == NULL && mdr_scene_read("[") == NULL);
     CHECK(mdr_states(NULL, MDR_FORCE, 0, MDR_LARGEST, &number, 1, &number, NULL, NULL, NULL) == -1);
     CHECK(mdr_states(contact, MDR_FORCE, 0, MDR_LARGEST, NULL, 1, &number, NULL, NULL, NULL) == -1);
     CHECK(mdr_states(contact, 7, 0, MDR_LARGEST, &number, 1, &number, NULL, NULL, NULL) == -1 && strstr(mdr_error(), "7") != NULL);
