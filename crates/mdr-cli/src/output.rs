@@ -120,18 +120,29 @@ impl<W: Write> Write for Output<W> {
     }
 }
 
-/// Lines longer than `width` broken between words, the rest with the indentation of the line; lines of tables stay.
+/// The columns between which the texts of derivations are broken where they are written.
+const WRITTEN: usize = 100;
+
+/// Lines longer than `width` broken between words, the rest with the indentation of the line; lines of tables stay. What was broken
+/// for a wider page flows on.
 fn wrapped(text: &str, width: usize) -> String {
     let is_table = |line: &str| line.contains('\u{1b}') || line.starts_with(['│', '┌', '╞', '└', '╪', '├']);
     let mut wrapped = Vec::new();
-    for line in text.split('\n') {
+    let mut lines = text.split('\n').peekable();
+    while let Some(line) = lines.next() {
         if line.chars().count() <= width || is_table(line) {
             wrapped.push(line.to_owned());
             continue;
         }
-        let indent = line.chars().take_while(|letter| *letter == ' ').count().min(width / 2);
+        let mut words: Vec<&str> = line.split_whitespace().collect();
+        let mut last = line;
+        while let Some(next) = lines.next_if(|next| flows_on(last, next, width)) {
+            words.extend(next.split_whitespace());
+            last = next;
+        }
+        let indent = indentation(line).min(width / 2);
         let mut row = " ".repeat(indent);
-        for word in line.split_whitespace() {
+        for word in words {
             let is_first = row.trim_start().is_empty();
             if !is_first && row.chars().count() + 1 + word.chars().count() > width {
                 wrapped.push(std::mem::replace(&mut row, " ".repeat(indent)));
@@ -148,6 +159,18 @@ fn wrapped(text: &str, width: usize) -> String {
     wrapped.join("\n")
 }
 
+fn indentation(line: &str) -> usize {
+    line.chars().take_while(|letter| *letter == ' ').count()
+}
+
+/// Whether a line was broken where its next word had no room any more, and goes on in the next line.
+fn flows_on(line: &str, next: &str, width: usize) -> bool {
+    let length = line.chars().count();
+    let Some(word) = next.split_whitespace().next() else { return false };
+    let full = (width + 1..=WRITTEN).contains(&length) && length + 1 + word.chars().count() > WRITTEN;
+    full && indentation(line) == indentation(next)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -158,5 +181,14 @@ mod tests {
         assert_eq!(wrapped("short\n\nlines", 10), "short\n\nlines");
         assert_eq!(wrapped("│ one two three │", 10), "│ one two three │");
         assert_eq!(wrapped("unbreakable-word then", 10), "unbreakable-word\nthen");
+    }
+
+    #[test]
+    fn what_was_broken_for_a_wider_page_flows_on() {
+        let text = format!("   {}longer\n   and on.\n   Another line.", "word ".repeat(18));
+        let rows = wrapped(&text, 80);
+        let lengths: Vec<usize> = rows.lines().map(|row| row.chars().count()).collect();
+        assert!(lengths.len() == 3 && lengths[0] > 70 && lengths[1] > 20, "{rows}");
+        assert!(rows.ends_with("longer and on.\n   Another line."), "{rows}");
     }
 }
