@@ -72,6 +72,6 @@ function drawOuter(a, spring, top, state) {
   const [level, limit] = [p.y(0), p.y(elongation(a))];
   set(p.edge, { d: a ? spring(p.x(a), top) + spring(p.x(-a), top) : '' });
   set(p.gauge, { d: a ? `M${p.x(a) + 9} ${level}V${limit}M${p.x(-a) - 9} ${level}V${limit}` : '' });
-  if (a) name('Δl', Math.min(p.x(a) + 16, p.w - 46), (level + limit) / 2 + 5, 'start');
+  if (a) name('Δl', Math.min(p.x(a) + 16, p.w - 20), (level + limit) / 2 + 5, 'start');
   else name(state.kind === 2 ? 'in contact everywhere' : 'apart', p.w / 2, p.h - 8, 'middle');
 }

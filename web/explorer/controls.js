@@ -54,7 +54,10 @@ function sliders() {
       change({ [key]: mark ? mark[0] : fromSlider(s, now) });
     };
   }
-  const half = 100 * toSlider(SLIDERS.n, 0.5);
+}
+/** Where the regimes meet, on the slider of the exponent. */
+function trackOfExponent() {
+  const half = 100 * within(toSlider(SLIDERS.n, Math.max(meeting(), 1e-3)), [-0.1, 1]);
   const [soft, firm] = ['--ela) 60%', '--adh) 55%'].map((colour) => `color-mix(in srgb, var(${colour}, var(--panel))`);
   $('s-n').style.setProperty(
     '--track',
@@ -68,10 +71,12 @@ function sync() {
     $(`s-${key}`).value = toSlider(s, P[key]);
     const plain = key === 'n' && P.n === 0.5 ? '½' : P[key].toFixed(P[key] < 10 ? 3 : 1);
     const text = SHOWN_AS[key] && P.unit !== 'none' ? show(P[key], SHOWN_AS[key]) : plain;
-    const regime = P.n > 0.5 ? ' · pull-off' : P.n < 0.5 ? ' · complete contact' : ' · no length';
+    const over = P.n - meeting();
+    const regime = Math.abs(over) < 1e-12 ? ' · no length' : over > 0 ? ' · pull-off' : ' · complete contact';
     $(`o-${key}`).textContent = text + (key === 'n' ? regime : '');
     set($(`s-${key}`), { 'aria-valuetext': $(`o-${key}`).textContent });
   }
+  trackOfExponent();
   ['control', 'shape', 'medium', 'view', 'graph'].forEach((id) => $(id).sync());
   set($('ghost'), { 'aria-pressed': P.ghost === 'on' });
   $('axis').value = P.axis;

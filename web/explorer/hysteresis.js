@@ -62,8 +62,10 @@ function nameEdges(rest) {
   const dots = rest.map(([a, d, F]) => pixel([d, F, a]));
   const taken = [];
   names.forEach((node, i) => {
-    node.textContent = ['recedes, w₂', 'advances, w₁'][i];
-    taken.push(beside(p, node, 92, stable[i], [...stable, ...curves], dots, taken));
+    // On a small picture there is room for the work alone.
+    const small = p.w < 420;
+    node.textContent = (small ? ['w₂', 'w₁'] : ['recedes, w₂', 'advances, w₁'])[i];
+    taken.push(beside(p, node, small ? 22 : 92, stable[i], [...stable, ...curves], dots, taken));
   });
   return undefined;
 }

@@ -33,6 +33,8 @@ function elongation(a) {
   }
   return { half: Math.sqrt(a), graded: a ** ((1 - P.grade) / 2), springs: 1 }[P.medium];
 }
+/** The exponent of Δl(a), where the regimes of power laws meet: ½, (1 − k)/2, or 0. */
+const meeting = () => ({ half: 0.5, graded: (1 - P.grade) / 2, springs: 0, wave: 0.5 })[P.medium];
 /** Of Δl(a), what an edge that advances can hold: Δl grows with the root of the work. */
 const ofAdvancing = () => Math.sqrt(P.w1);
 /** S(a), the stiffness of a contact of a size that is held. */

@@ -324,7 +324,7 @@ function change(parameters) {
   value = within(value, range);
   if (before.kind === 1) S = settle('nearest', Math.min(before.a, reach));
   else if (before.kind === 0) S = value >= 0 ? settle('largest') : away();
-  else S = settle(value > 0 && P.n < 0.5 ? 'smallest' : 'largest');
+  else S = settle(value > 0 && P.n < meeting() ? 'smallest' : 'largest');
   clearTrail();
   if (P.shape === 'wavy' && P.A === highestWaves(P))
     note = `The waves are held at a height of ${show(P.A, 'd')}: higher ones of this length would make folds by the hundred.`;

@@ -2,7 +2,7 @@
 
 function tell() {
   const broken = degenerate
-    ? 'At n = ½ and ρ at its threshold the two curves are one: at d = 0 every radius is an equilibrium (1.19). '
+    ? `At n = ${P.n === 0.5 ? '½' : +P.n.toPrecision(4)} and ρ at its threshold the two curves are one: at d = 0 every radius is an equilibrium (1.19). `
     : '';
   let [text, tone] = [note, jumps ? 'jump' : 'stable'];
   if (trouble) [text, tone] = [`This profile is refused: ${trouble}`, 'over'];
@@ -60,7 +60,7 @@ function overCritical(known) {
   const own = folds.filter((f) => !f.advancing);
   const [strongest] = [...own].sort((one, other) => one.F - other.F);
   if (!strongest || !strongest.F) return [];
-  const name = own.length > 1 ? 'the strongest pull, F/F_c' : 'that at P, F/F_c';
+  const name = own.length > 1 ? 'the strongest pull, F/F<sub>c</sub>' : 'that at P, F/F<sub>c</sub>';
   return [[`force over ${name}`, known ? minus((S.F / strongest.F).toFixed(3)) : '—']];
 }
 

@@ -154,6 +154,13 @@ test('a number of an equation has a card with the equation', { skip }, async () 
   await page.close();
 });
 
+test('panels of a picture stand below each other on a phone', { skip }, async () => {
+  const page = await open('hysteresis', { alone: true, viewport: { width: 390, height: 844 } });
+  const box = await page.locator('figure.plot img').boundingBox();
+  assert.ok(box.width > 330 && box.height > 2 * box.width, JSON.stringify(box));
+  await page.close();
+});
+
 test('figures move where the explorer is, and are pictures where it is not', { skip }, async () => {
   const here = existsSync(new URL('explorer.html', folder));
   const page = await open('two-curves');

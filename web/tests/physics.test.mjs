@@ -65,6 +65,22 @@ test('the exponent through one half: stable, neutral, unstable; a nudge decides'
   await page.close();
 });
 
+test('on another medium the regimes meet at another exponent', async () => {
+  const page = await open(browser);
+  await preset(page, 'Graded half-space'); // k = ½: they meet at n = ¼
+  for (const [n, words] of [
+    [0.3, 'pull-off'],
+    [0.25, 'no length'],
+    [0.2, 'complete contact'],
+  ]) {
+    await change(page, { n });
+    assert.ok((await page.textContent('#o-n')).includes(words), `n = ${n}`);
+  }
+  await change(page, { medium: 'springs', n: 0.1 });
+  assert.ok((await page.textContent('#o-n')).includes('pull-off'));
+  await page.close();
+});
+
 test('a sharp tip is pressed into complete contact at d_c', async () => {
   const page = await open(browser);
   await preset(page, 'Sharp tip');
