@@ -14,7 +14,7 @@ use crate::chapters::{CHAPTERS, Chapter, order};
 use crate::conformance::{self, Row};
 use crate::entry::{badges, standing, title};
 use crate::error::{Error, Result};
-use crate::figures::Figures;
+use crate::figures::{self, Figures};
 use crate::fits;
 use crate::links::{DOCUMENTS, Links, Shelf, heading, is_equation, is_picture, published};
 use crate::markdown::{self, Math, Page, escaped};
@@ -68,6 +68,7 @@ pub fn build(root: &Path, explorer: bool) -> Result<BookFiles> {
     // Written again by what builds the explorer, whichever of both comes first.
     files.insert(HERE.to_owned(), format!("window.EXPLORER={explorer};\n").into_bytes());
     book.sources(&contents, &mut files)?;
+    figures::stack(&mut files);
     Ok(files)
 }
 

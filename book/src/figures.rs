@@ -1,5 +1,6 @@
 //! The figures of the paper, at the entries that they show: from the headings and pictures of docs/figures.md.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use maud::{Markup, html};
@@ -17,6 +18,31 @@ const PLACES: [(&str, &str); 7] = [
     ("figure-5.svg", "wave"),
     ("hysteresis.svg", "hysteresis"),
 ];
+
+/// Gives each image of a picture whose panels can stand below each other the proportions that it then has, as a variable of its
+/// style: in a narrow page it would else keep those of the sheet, and be too small to read.
+pub(crate) fn stack(files: &mut BTreeMap<String, Vec<u8>>) {
+    let stacked: Vec<(String, String)> = files
+        .iter()
+        .filter(|(name, _)| name.ends_with(".svg"))
+        .filter_map(|(name, bytes)| Some((format!("src=\"{name}\""), ratio(str::from_utf8(bytes).ok()?)?.to_owned())))
+        .collect();
+    for (_, bytes) in files.iter_mut().filter(|(name, _)| name.ends_with(".html")) {
+        let Ok(mut page) = String::from_utf8(bytes.clone()) else { continue };
+        for (source, ratio) in &stacked {
+            if page.contains(source) {
+                page = page.replace(source, &format!("{source} style=\"--stacked:{ratio}\""));
+            }
+        }
+        *bytes = page.into_bytes();
+    }
+}
+
+/// Width over height of a picture whose panels stand below each other.
+fn ratio(svg: &str) -> Option<&str> {
+    let (_, rest) = svg.split_once("{width:100%;aspect-ratio:")?;
+    rest.split_once('}').map(|(ratio, _)| ratio)
+}
 
 /// The pictures with their titles.
 pub(crate) struct Figures(Vec<(&'static str, &'static str, String)>);
