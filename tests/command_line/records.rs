@@ -19,6 +19,19 @@ fn the_readme_counts_the_records() {
     assert!(readme.contains(&format!("publishes {} [certified records]", mdr_reference::records().len())));
 }
 
+/// The inputs that the help names are inputs of records, each with a column of its own in CSV.
+#[test]
+fn filters_take_inputs() {
+    let help = output("reference --help");
+    for (term, column, value) in [("n=2", "input_n", "2"), ("w1=0", "input_w1", "0")] {
+        assert!(help.contains(term), "{term}");
+        let csv = output(&format!("reference --filter {term} --format csv"));
+        let mut rows = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let place = rows.next().unwrap().iter().position(|name| *name == column).unwrap();
+        assert!(rows.all(|row| row[place] == value), "{term}");
+    }
+}
+
 #[test]
 fn one_record_in_full() {
     let text = output("reference --filter id=critical/jkr-unit/force/force --format json");

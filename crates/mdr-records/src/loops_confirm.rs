@@ -96,7 +96,7 @@ pub(crate) fn agrees(formula: &str, is_load: bool, x: &[Float], values: &[Float]
                 return Ok(place && agree(&d, &values[1], &length(a)) && agree(&force, &values[2], &load(a)));
             }
             let d = if is_load { &values[1] } else { &x[6] };
-            let (force, given) = if is_load { (path.force(a, d)?, &x[6]) } else { (path.force(a, d)?, &values[1]) };
+            let (force, given) = (path.force(a, d)?, if is_load { &x[6] } else { &values[1] });
             let drawn = path.g(a) - d;
             let pinned = turned && drawn > path.elongation(a, w1) && drawn < path.elongation(a, w2);
             let receding = before && outer && changes_sign(a, |a| Ok(path.held(a, w2)? - &x[6]))?;

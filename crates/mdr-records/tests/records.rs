@@ -6,7 +6,7 @@ use mdr_records::generate;
 use mdr_reference::{Decimal, data_sets};
 use serde_json::Value as Json;
 
-/// As `mdr reference --generate` does it: the whole set costs some thirty seconds of one processor.
+/// As `mdr reference --generate` does it: the whole set costs one to two minutes of one processor.
 #[test]
 fn the_records_are_regenerated_bit_for_bit() {
     let files = generate().unwrap();

@@ -19,8 +19,8 @@ const SINGLE: f64 = 1.0 / 16_777_216.0;
 /// The errors that a computation in single precision may have, over the condition and that roundoff.
 const ROUNDINGS: f64 = 100.0;
 
-/// Questions with a number beyond this many decades say nothing about single precision, which does not hold it.
-const DECADES_OF_SINGLE: f64 = 37.0;
+/// Questions with a number beyond this many decades say nothing about single precision, whose range products of three leave.
+const DECADES_OF_SINGLE: f64 = 12.0;
 
 /// The factor between the sizes of answers that a tolerance spoils and of those that it leaves.
 const SCALES: f64 = 1e3;
