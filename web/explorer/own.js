@@ -1,7 +1,7 @@
 // A profile of one's own, drawn or pasted; and the pictures to take away.
 
 /** So many rows are opened at once; longer tables are weighed first, away from the page. */
-const FEW_ROWS = 60;
+const FEW_ROWS = 40;
 const [FEW_FOLDS, MANY_FOLDS] = [8, 40];
 /** The time of a move, and of the weighing of a table, in ms. */
 const BUDGET = 50;

@@ -108,6 +108,10 @@ test('a table with many folds is weighed away from the page, and offered smoothe
   const d = await data(page);
   assert.ok(d.shape === 'table' && +d.folds <= 8, `${d.folds} folds`);
   assert.match(await page.evaluate(() => explorer.files().scene), /^smooth = /m);
+  // Few rows may have more than forty folds, too.
+  const few = Array.from({ length: 55 }, (_, i) => [i / 18, (i / 18) ** 2 / 2 + (i ? 0.4 * noise() : 0)]);
+  await page.evaluate((text) => explorer.paste(text), few.map((row) => row.join()).join('\n'));
+  assert.match(await page.textContent('#table-note'), /make \d+ folds/);
   // An address has the length of the smoothing; one with the rows as they are is weighed as a paste is.
   await page.waitForFunction(() => location.hash.includes('smooth='));
   const hash = new URL(page.url()).hash;
