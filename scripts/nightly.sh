@@ -10,7 +10,7 @@ seed=${1:-$(date +%Y%m%d)}
 failed=0
 
 echo "== the cross-check, full, seed $seed"
-cargo run --locked --release --package mdr-cli -- verify --full --seed "$seed" || failed=1
+cargo run --locked --bin mdr -- verify --full --seed "$seed" || failed=1
 
 # Every property takes its cases as a share of proptest's default of 256.
 echo "== the random properties, thirty times their cases"

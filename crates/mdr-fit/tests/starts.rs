@@ -183,11 +183,11 @@ fn an_error_of_x_that_is_not_stated_is_named() {
         let fit = record.problem(tip, &curve, &FOUR).fit().unwrap();
         fit.warnings.iter().any(|warning| warning.contains("taken for exact"))
     };
-    let records = |noise: f64| (0..20).map(move |seed| Record { noise, seed, rows: 150, ..USUAL });
+    let records = |noise: f64| (0..10).map(move |seed| Record { noise, seed, rows: 150, ..USUAL });
     let missed = records(2e-2).filter(|record| !named(record, 0.5)).count();
-    assert!(missed == 0, "{missed} of 20 are not named");
+    assert!(missed == 0, "{missed} of 10 are not named");
     let wrong = records(2e-2).chain(records(1e-1)).filter(|record| named(record, 0.0)).count();
-    assert!(wrong == 0, "{wrong} of 40 exact records are named");
+    assert!(wrong == 0, "{wrong} of 20 exact records are named");
 }
 
 /// Where a record ends at the fold, nothing bounds the place of the fold from beyond: a fold that is held there tells nothing of the errors,
@@ -251,7 +251,7 @@ fn a_common_factor_of_sigma_moves_no_estimate() {
         };
         let plain = fit(1.0);
         assert_eq!(plain.status, FitStatus::Fitted, "{}", plain.reason);
-        for factor in [1e-294, 1e-100, 1e-6, 0.03, 30.0, 1e6, 1e100, 1e290] {
+        for factor in [1e-294, 1e-6, 0.03, 30.0, 1e290] {
             let other = fit(factor);
             let status = if factor < 0.1 { FitStatus::PoorFit } else { FitStatus::Fitted };
             assert_eq!(other.status, status, "{factor}: {}", other.reason);
@@ -272,15 +272,17 @@ fn a_common_factor_of_sigma_moves_no_estimate() {
     }
 }
 
-/// Numbers that are typed far off: starting values and given values.
+/// Numbers that are typed far off, starting values and given values: half of them for each tip.
 #[test]
 fn absurd_numbers_are_answered_or_refused() {
-    for tip in tips() {
+    for (index, tip) in tips().into_iter().enumerate() {
         let curve = USUAL.curve(&tip);
         let problem = || USUAL.problem(&tip, &curve, &THREE);
         for (name, value) in ["e_star", "work_of_adhesion"]
             .into_iter()
             .flat_map(|name| [1e-300, 1e-30, 1e-9, 1e30, 1e300].map(|value| (name, value)))
+            .skip(index % 2)
+            .step_by(2)
         {
             let fit = problem().start(name, value).unwrap().fit().unwrap();
             let chi2 = fit.chi2.unwrap();
