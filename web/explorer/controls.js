@@ -69,7 +69,7 @@ function sync() {
   for (const [key, s] of Object.entries(SLIDERS)) {
     $(`row-${key}`).style.display = s[6]() ? '' : 'none';
     $(`s-${key}`).value = toSlider(s, P[key]);
-    const plain = key === 'n' && P.n === 0.5 ? '½' : P[key].toFixed(P[key] < 10 ? 3 : 1);
+    const plain = key === 'n' && P.n === 0.5 ? '½' : minus(P[key].toFixed(P[key] < 10 ? 3 : 1));
     const text = SHOWN_AS[key] && P.unit !== 'none' ? show(P[key], SHOWN_AS[key]) : plain;
     const over = P.n - meeting();
     const regime = Math.abs(over) < 1e-12 ? ' · no length' : over > 0 ? ' · pull-off' : ' · complete contact';

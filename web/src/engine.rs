@@ -4,7 +4,6 @@ use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use mdr::answer::Field;
 use mdr::columns::ContactColumns;
 use mdr::prelude::*;
 use mdr::{ContactError, Error, scene};
@@ -14,7 +13,7 @@ use mdr_numeric::table::{MeasuredProfile, Table};
 use mdr_numeric::transform::Quadrature;
 
 use crate::edges::BothEdges;
-use crate::picture::{self, Sampled};
+use crate::picture::{self, Sampled, Surface};
 
 /// Rows of results.
 type Rows<const N: usize> = Result<Vec<[f64; N]>, Error>;
@@ -24,7 +23,7 @@ pub(crate) struct Engine {
     /// With two works of adhesion, that of the receding edge.
     contact: ContactColumns,
     both: Option<BothEdges>,
-    on_half_space: bool,
+    surface: Surface,
     control: Control<f64>,
     profile: Profile,
     /// For the gap, which needs g at more radii than can be computed for every frame.
@@ -60,7 +59,12 @@ impl Engine {
             _ => return Err(unshown()),
         };
         let control = scene.controlled().try_map(|stiffness| Ok::<_, Error>(stiffness.nearest_f64()))?;
-        let on_half_space = scene.pressed_into().is_half_space();
+        let surface = match scene.pressed_into() {
+            ExactMedium::Graded { exponent, .. } => Surface::HalfSpace(exponent.nearest_f64()),
+            ExactMedium::Winkler { .. } => Surface::Springs,
+            ExactMedium::Periodic { wavelength, .. } => Surface::Strips(wavelength.nearest_f64()),
+            _ => Surface::HalfSpace(0.0),
+        };
         let (contact, both) = if scene.has_two_works() {
             let contact = scene.contact()?;
             let [modulus, work] = [*contact.modulus(), *contact.adhesion().of(Edge::Receding)];
@@ -70,7 +74,7 @@ impl Engine {
         } else {
             (ContactColumns::new(&scene)?, None)
         };
-        Ok(Engine { contact, both, on_half_space, control, profile, sampled: RefCell::default() })
+        Ok(Engine { contact, both, surface, control, profile, sampled: RefCell::default() })
     }
 
     /// Those of the advancing edge, if it is another one, have a kind that is larger by 2.
@@ -180,8 +184,7 @@ impl Engine {
         ContactError::require_finite(Quantity::Indentation, &d)?;
         let high = ContactError::require_positive(Quantity::Radius, high)?.min(self.outer_radius());
         let edge = a.max(0.0).min(high);
-        // A gap on another medium than a half-space takes longer.
-        let outside = if self.on_half_space { count / 2 } else { count / 4 };
+        let outside = count / 2;
         let inside = picture::radii(0.0, edge, count - outside, 2.0)?.into_iter().map(|r| (r, 0.0));
         // Closest to the edge, where the neck is steep.
         let beyond: Vec<f64> = picture::radii(0.0, high - edge, outside, 2.0)?.iter().map(|from| edge + from).collect();
@@ -190,24 +193,20 @@ impl Engine {
         Ok(all.map(|(r, gap)| [r, self.height(r), gap]).filter(known).collect())
     }
 
-    /// The gap at radii. On another medium than a half-space it is that of the state in equilibrium.
     fn gaps(&self, a: f64, d: f64, high: f64, radii: &[f64]) -> Result<Vec<f64>, Error> {
         if a >= high {
             return Ok(vec![0.0; radii.len()]);
-        }
-        if !self.on_half_space {
-            // At the edge itself there is none yet.
-            let beyond: Vec<f64> = radii.iter().copied().filter(|r| *r > a).collect();
-            let edge = std::iter::repeat_n(0.0, radii.len() - beyond.len());
-            return Ok(edge.chain(self.contact.field(Field::Gap, a, &beyond)?).collect());
         }
         let mut sampled = self.sampled.borrow_mut();
         if sampled.as_ref().is_none_or(|sampled| sampled.high() != high) {
             let [g, ..] = self.contact.transform(&Sampled::radii(high)?)?;
             *sampled = Some(Sampled::new(high, g));
         }
-        let g = sampled.as_ref().map(|sampled| move |x| sampled.at(x));
-        Ok(g.map(|g| radii.iter().map(|r| picture::gap(a, d, *r, &g)).collect()).unwrap_or_default())
+        let Some(sampled) = sampled.as_ref() else { return Ok(Vec::new()) };
+        let g = |x| sampled.at(x);
+        // At the edge itself there is none yet.
+        let at = |r: &f64| if *r > a { self.surface.gap([a, d, *r], self.height(*r), &g) } else { 0.0 };
+        Ok(radii.iter().map(at).collect())
     }
 
     fn height(&self, r: f64) -> f64 {
@@ -220,7 +219,8 @@ impl Engine {
     }
 
     pub(crate) fn verify(&self, a: f64) -> Result<[f64; 3], Error> {
-        let Some(quadrature) = self.profile.transform().filter(|_| self.on_half_space) else {
+        let Some(quadrature) = self.profile.transform().filter(|_| matches!(self.surface, Surface::HalfSpace(0.0)))
+        else {
             let why = "(1.1) is that of a half-space".to_owned();
             return Err(Error::Scene { place: None, key: "medium.kind".to_owned(), why });
         };

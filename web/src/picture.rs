@@ -1,6 +1,6 @@
 //! Where a picture is sampled, and the gap between the surfaces to the accuracy of a picture.
 
-use std::f64::consts::FRAC_2_PI;
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 use mdr_core::contact::{Error, Quantity, Result};
 
@@ -88,10 +88,46 @@ const RULE: [[f64; 2]; 8] = [
     [0.989_400_934_991_649_9, 0.027_152_459_411_754_095],
 ];
 
-/// The gap at r ≥ a: (2/π) ∫ (g(r cos φ) − d) dφ from 0 to arccos(a/r).
-pub(crate) fn gap(a: f64, d: f64, r: f64, g: &impl Fn(f64) -> f64) -> f64 {
-    let half = (a / r).min(1.0).acos() / 2.0;
-    let at = |phi: f64| g(r * phi.cos()) - d;
+/// How the surface comes down outside of a contact.
+#[derive(Clone, Copy)]
+pub(crate) enum Surface {
+    /// A half-space with E ∝ zᵏ; k = 0 is the homogeneous one.
+    HalfSpace(f64),
+    /// Springs that do not act on each other: it does not.
+    Springs,
+    /// A half-plane with a strip in contact in each period.
+    Strips(f64),
+}
+
+impl Surface {
+    /// The gap at r > a between the undeformed height f and the surface.
+    pub(crate) fn gap(self, [a, d, r]: [f64; 3], height: f64, g: &impl Fn(f64) -> f64) -> f64 {
+        match self {
+            Surface::HalfSpace(k) => beside_disc(k, a, d, r, g),
+            Surface::Springs => height - d,
+            Surface::Strips(period) => beside_strip(period, a, d, r, g),
+        }
+    }
+}
+
+/// (2 cos(πk/2)/π) ∫ cotᵏφ (g(r cos φ) − d) dφ from 0 to arccos(a/r), over s = φ^(1 − k), in which nothing is singular.
+fn beside_disc(k: f64, a: f64, d: f64, r: f64, g: &impl Fn(f64) -> f64) -> f64 {
+    let half = (a / r).min(1.0).acos().powf(1.0 - k) / 2.0;
+    let at = |s: f64| {
+        let phi = s.powf((1.0 - k).recip());
+        (phi / phi.tan()).powf(k) * (g(r * phi.cos()) - d)
+    };
     let sum: f64 = RULE.iter().map(|[x, weight]| weight * (at(half * (1.0 - x)) + at(half * (1.0 + x)))).sum();
-    FRAC_2_PI * half * sum
+    FRAC_2_PI * (FRAC_PI_2 * k).cos() * half * sum / (1.0 - k)
+}
+
+/// G(r, a)(g(a) − d) + ∫ G(r, x) dg(x) from a to r, where a flat strip of half-width x that is pressed in by 1 leaves the gap
+/// G(r, x) = arcosh(sin(πr/λ)/sin(πx/λ))/ln(1/sin(πx/λ)).
+fn beside_strip(period: f64, a: f64, d: f64, r: f64, g: &impl Fn(f64) -> f64) -> f64 {
+    let sine = |x: f64| (PI * x / period).sin();
+    let of_strip = |x: f64| (sine(r) / sine(x)).max(1.0).acosh() / -sine(x).ln();
+    let steps = 40;
+    let place = |i: u32| a + (r - a) * f64::from(i) / f64::from(steps);
+    let grown = |i: u32| of_strip((place(i) + place(i + 1)) / 2.0) * (g(place(i + 1)) - g(place(i)));
+    of_strip(a) * (g(a) - d) + (0..steps).map(grown).sum::<f64>()
 }

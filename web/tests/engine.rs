@@ -2,6 +2,10 @@
 
 use std::f64::consts::PI;
 
+use mdr::columns::ContactColumns;
+use mdr::prelude::*;
+use mdr::scene;
+
 use mdr_wasm::{
     Failure, advance, advancing_curve, advancing_equilibria, contact, curve, equilibria, input, kappa, message_length,
     pinned, surface, verify,
@@ -30,6 +34,21 @@ fn opened_with(material: &str, profile: &str, control: &str, table: &str) -> i32
 
 fn close(x: f64, y: f64, tolerance: f64) {
     assert!((x - y).abs() <= tolerance * y.abs().max(1e-300), "{x} is not {y}");
+}
+
+/// The gap of the picture beside that of the library's fields, for the equilibrium with a = 0.6, up to a radius.
+fn gaps_of_the_library(scene: &Scene, high: f64) {
+    let columns = ContactColumns::new(scene).expect("a contact");
+    let d = columns.curve(&[0.6]).expect("a state").indentation[0];
+    let rows: Vec<[f64; 3]> = rows(surface(0.6, d, high, 40));
+    let beyond: Vec<[f64; 3]> = rows.into_iter().filter(|[r, ..]| *r > 0.62).collect();
+    let radii: Vec<f64> = beyond.iter().map(|[r, ..]| *r).collect();
+    let known = columns.field(mdr::answer::Field::Gap, 0.6, &radii).expect("gaps");
+    assert!(radii.len() > 10);
+    let size = known.iter().copied().fold(0.0, f64::max);
+    for ([r, _, gap], known) in beyond.iter().zip(known) {
+        assert!((gap - known).abs() < 1e-2 * size, "r = {r}: {gap} is not {known}");
+    }
 }
 
 const SPHERE: &str = "kind = \"paraboloid\"\nradius = 1";
@@ -138,9 +157,13 @@ fn springs_and_graded_half_spaces_are_media_like_any_other() {
     for [a, _, elongation, ..] in rows::<6>(curve(0.2, 2.0, 9, 2.0)) {
         close(elongation, a.powf(0.25), 1e-13);
     }
-    for [r, _, gap] in rows::<3>(surface(0.8, 0.1, 2.0, 40)) {
-        assert!(if r > 0.8 { gap >= 0.0 } else { gap == 0.0 }, "r = {r}: {gap}");
-    }
+    // The gap is that of the library's fields, here for d = g − Δl at a = 0.8.
+    let scene = Scene::new(Shape::Paraboloid { radius: 1.0 }, Elasticity::effective(1).expect("E*"), work);
+    let graded = ExactMedium::Graded {
+        exponent: "0.5".parse().expect("k"),
+        stiffness: Grading::Coefficient("1".parse().expect("c")),
+    };
+    gaps_of_the_library(&scene.and_then(|scene| scene.medium(graded)).expect("a scene"), 2.0);
 }
 
 #[test]
@@ -152,6 +175,9 @@ fn a_wave_comes_into_complete_contact_and_ends_at_half_of_its_length() {
     let events: Vec<[f64; 10]> = rows(advance(-1.0, -0.1, 2.0));
     assert_eq!(events.iter().map(|row| row[0]).collect::<Vec<_>>(), [2.0, 5.0]);
     assert_eq!(equilibria(2.0), 0, "complete contact is no state of an edge");
+    let wave = Scene::new(scene::Profile::Wave("0.6".parse().expect("h")), Elasticity::effective(1).expect("E*"), work);
+    let periodic = ExactMedium::Periodic { wavelength: "2".parse().expect("λ"), flaw: None };
+    gaps_of_the_library(&wave.and_then(|scene| scene.medium(periodic)).expect("a scene"), 0.999);
     for [r, height, _] in rows::<3>(surface(0.3, 0.0, 1.0, 20)) {
         close(height, 0.6 * (1.0 - (PI * r).cos()), 1e-12);
     }

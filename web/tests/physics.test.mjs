@@ -76,6 +76,8 @@ test('on another medium the regimes meet at another exponent', async () => {
     await change(page, { n });
     assert.ok((await page.textContent('#o-n')).includes(words), `n = ${n}`);
   }
+  await change(page, { grade: -0.5 });
+  assert.equal(await page.textContent('#o-grade'), '−0.500');
   await change(page, { medium: 'springs', n: 0.1 });
   assert.ok((await page.textContent('#o-n')).includes('pull-off'));
   await page.close();
