@@ -189,7 +189,7 @@ function sixty() {
     if (!['Figure 4: wavy sphere', 'Short waves', 'True sphere', 'Your own tip'].includes(name))
       parameters.n = pick([0.3, 0.7, 1, 1.5, 2, 3, 0.2 + 2 * random()]);
     if (parameters.n && random() < 0.5)
-      Object.assign(parameters, { medium: pick(['graded', 'springs']), grade: 1.6 * random() - 0.8 });
+      Object.assign(parameters, { medium: pick(['graded', 'springs']), grade: 1.4 * random() - 0.5 });
     if (random() < 0.25) parameters.w1 = 0.1 + 0.8 * random();
     return [name, parameters, Array.from({ length: 1 + Math.floor(4 * random()) }, random), 'shares'];
   };
