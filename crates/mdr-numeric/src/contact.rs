@@ -247,6 +247,22 @@ impl<R: Real> Contact<R> {
         })
     }
 
+    /// What [`held_against`](Contact::held_against) is more than the mean of g where a contact may become complete: F/S, or
+    /// k(D − mean g)/(k + S); `None` at a given indentation and on other media.
+    fn excess_held_on_waves(&self, a: &R, value: &R) -> Result<Option<R>> {
+        if !self.medium().becomes_complete() {
+            return Ok(None);
+        }
+        let stiffness = self.stiffness(a);
+        Ok(match &self.control {
+            Control::Indentation => None,
+            Control::Force => Some(value.clone() / stiffness),
+            Control::Machine { stiffness: k } => {
+                Some((value.clone() - self.transform.mean(a)?) * k / (k.clone() + stiffness))
+            }
+        })
+    }
+
     /// Indentation and force in equilibrium at radius `a`, which was found at this `value` of the controlled quantity.
     ///
     /// On a machine softer than the contact the force is that of its spring, k(D − d): as S(a) times a difference of lengths it
@@ -304,7 +320,19 @@ impl<R: Real> Contact<R> {
     }
 
     /// The [direction of change](Contact::direction), from g and its mean to the absolute error `needed`.
+    ///
+    /// On a periodic medium g, its mean and d all tend to one height, and Δl to 0, where a contact is nearly complete: at a given
+    /// force, or on a machine, their differences are taken instead.
     pub(crate) fn direction_within(&self, a: &R, value: &R, needed: &R) -> Result<R> {
+        if let Some(excess) = self.excess_held_on_waves(a, value)? {
+            let (above, elongation) = (self.transform.above_mean(a)?, self.elongation(a));
+            // Beyond the range of the numbers, where all of them vanish, Δl does so first.
+            if !self.adhesion.vanishes() {
+                let smallest = elongation.clone() * &elongation.unit_roundoff();
+                in_range(Quantity::TransformedProfile, smallest, &above, || [elongation.clone()])?;
+            }
+            return Ok(above - elongation - excess);
+        }
         let held = self.held_against(a, value, || self.transform.mean_within(a, needed))?;
         Ok(self.transform.g_within(a, needed)? - self.elongation(a) - held)
     }

@@ -187,6 +187,11 @@ impl<R: Real> Medium<R> {
         }
     }
 
+    /// Whether a contact may become complete, as between waves.
+    pub(crate) fn becomes_complete(&self) -> bool {
+        matches!(self, Medium::Periodic { .. })
+    }
+
     /// Whether it is a homogeneous half-space.
     pub fn is_half_space(&self) -> bool {
         matches!(self, Medium::HalfSpace { .. })

@@ -300,3 +300,19 @@ fn a_long_history_has_the_events_of_a_path() {
         }
     }
 }
+
+/// A path that starts at a contact radius starts there on waves too, of which half of a period is the most.
+#[test]
+fn a_start_on_waves_is_a_half_width() {
+    let scene = r#"{"profile": {"kind": "wave", "amplitude": "0.2"}, "medium": {"kind": "periodic", "wavelength": 1},
+        "material": {"e_star": 1, "work_of_adhesion": "1e-2"}, "output": {"want": ["folds"]}}"#;
+    let waves = ContactColumns::new(&Scene::from_json(scene, "waves.json", &mdr::no_files).expect("a scene"));
+    let waves = waves.expect("a contact");
+    let start = |radius: f64| waves.follow(&Control::Force, &[0.1], &Start::Nearest(radius));
+    let stable = waves.states(&Control::Force, &[0.1], Choice::Largest).expect("states").contact_radius[0];
+    same(&start(stable).expect("a history").states.contact_radius, &[stable]);
+    let refused = [start(0.5).map(|_| ()), waves.path(&Control::Force, &[0.1], &Start::Nearest(0.7), 0).map(|_| ())];
+    for why in refused.map(|refused| refused.expect_err("more than half of a period").to_string()) {
+        assert!(why.contains("half of the wavelength"), "{why}");
+    }
+}

@@ -67,6 +67,7 @@ impl ContactColumns {
     /// No value, or one that is not finite; no stable equilibrium at the first; a stiffness that is not positive; errors of the
     /// transform; [`Error::Stopped`].
     pub fn follow(&self, control: &Control<f64>, values: &[f64], start: &Start<f64>) -> Result<History> {
+        let start = &self.start(start)?;
         self.branched(control, true, |branches| {
             let mut history = History { states: States::with_capacity(values.len()), jumps: Vec::new() };
             if let Some(tables) = Tables::new(branches, values)
@@ -176,6 +177,7 @@ impl ContactColumns {
     /// No way point, or one that is not finite; no stable equilibrium at the first; a stiffness that is not positive; errors of
     /// the transform; [`Error::Stopped`].
     pub fn path(&self, control: &Control<f64>, way: &[f64], start: &Start<f64>, between: usize) -> Result<LoadingPath> {
+        let start = &self.start(start)?;
         self.branched(control, true, |branches| {
             let path = Path::follow(branches, start, way)?;
             let losses = Dissipation::of_each(&path, branches);
@@ -203,6 +205,14 @@ impl ContactColumns {
             let off = path.events.iter().rev().find(|event| event.kind == EventKind::Detached);
             let off = off.ok_or_else(|| Error::no_equilibrium(control.quantity(), &0.0))?;
             Ok(self.state_at(&off.before, control, off.value))
+        })
+    }
+
+    /// The start of a path, by its size.
+    fn start(&self, start: &Start<f64>) -> Result<Start<f64>> {
+        Ok(match start {
+            Start::Nearest(radius) => Start::Nearest(self.size(*radius)?),
+            start => start.clone(),
         })
     }
 

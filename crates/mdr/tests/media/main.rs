@@ -4,6 +4,7 @@
 
 mod scans;
 mod shapes;
+mod waves;
 
 use mdr::answer::{Admission, Fold};
 use mdr::no_files;
