@@ -98,7 +98,7 @@ def load(**where: str) -> list[Vector]:
     Examples
     --------
     >>> len(load()), len(load(formula="critical", control="force", n="2")) > 20
-    (1970, True)
+    (1994, True)
     """
 
     def has(vector: Vector, key: str, value: str) -> bool:
