@@ -310,9 +310,9 @@ fn radii_in_descending_order_are_refused() {
     assert_eq!(balance(0.1, 4.0, 6.0, 60, 2.0), 60, "and the engine lives");
 }
 
-/// The calls of `MDR_FUZZ` scenes a seed, by default 150.
+/// The calls of `MDR_FUZZ` scenes a seed, by default 300.
 fn scenes() -> u32 {
-    std::env::var("MDR_FUZZ").ok().and_then(|count| count.parse().ok()).unwrap_or(150)
+    std::env::var("MDR_FUZZ").ok().and_then(|count| count.parse().ok()).unwrap_or(300)
 }
 
 #[test]

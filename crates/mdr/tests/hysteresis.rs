@@ -476,3 +476,13 @@ fn a_line_under_a_dead_load_is_pinned() {
     assert!((load(1e-4) / 0.05 - 1.0).abs() < 1e-13, "{b} {}", load(1e-4));
     assert!((load(1e-3) / number(&free.force) - 1.0).abs() < 1e-12, "{b} {} {:?}", load(1e-3), free.force);
 }
+
+/// A dimple of 10³⁰⁰ m around a contact of one metre: its gap is constant over hundreds of octaves, and is looked at within the
+/// budget.
+#[test]
+fn a_gap_that_is_constant_over_hundreds_of_octaves() {
+    let dimple = "kind = \"elliptical-dimple\"\nradius = \"1e300\"\ndepth = \"2.231253598738975\"";
+    let way = "kind = \"indentation\"\npath = [\"-0.7\", \"-1\"]\nstart = \"0.7\"";
+    let scene = scene(dimple, ["0.03", "0.16"], way, "want = [\"path\"]\narithmetic = \"f64\"").unwrap();
+    assert_eq!(kinds(&path(&scene)), ["start", "not-admissible"]);
+}

@@ -41,6 +41,9 @@ const HALF_WAY: f64 = 32.0;
 const HALVINGS: usize = 44;
 /// Fractions of a piece at which the gap is sampled, apart from the ends of the interval.
 const SAMPLES: [f64; 4] = [0.15, 0.5, 0.85, 1.0];
+/// The share of a gap by which its neighbours exceed it in a valley that is refined: on hundreds of octaves of a constant gap,
+/// rounding makes a valley of each sample.
+const FLAT: f64 = 1e-9;
 
 impl Terrain {
     pub(super) fn new(transform: Arc<dyn Transform<f64>>, [lower, upper]: [f64; 2]) -> Self {
@@ -222,7 +225,12 @@ impl Terrain {
             if sample.1 > before.1 || sample.1 > after.1 {
                 continue;
             }
-            let found = self.least_between(before.0, after.0, *sample, |r| self.gap(a, d, r))?;
+            let is_flat = [before, after].iter().all(|other| other.1 - sample.1 <= FLAT * sample.1.abs());
+            let found = if is_flat {
+                *sample
+            } else {
+                self.least_between(before.0, after.0, *sample, |r| self.gap(a, d, r))?
+            };
             if best.is_none_or(|best| found.1 < best.1) {
                 best = Some(found);
             }

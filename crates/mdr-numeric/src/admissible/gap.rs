@@ -23,7 +23,7 @@ pub(super) struct Node {
 pub(super) const COARSE: f64 = 1e-3;
 /// Nodes per panel. Between two extrema of g the relative error of a polynomial of this degree is below a millionth.
 const NODES: usize = 16;
-/// The number of octaves from the axis in which g is integrated separately.
+/// The number of octaves below the upper end in which g is integrated separately.
 const OCTAVES: i32 = 40;
 /// Roundings of g and d in a gap, in unit roundoffs.
 const ROUNDINGS: f64 = 64.0;
@@ -70,11 +70,13 @@ impl Terrain {
         nodes.as_ref().map(Vec::as_slice).map_err(Clone::clone)
     }
 
-    /// ∫ (g − d)/√(r² − x²) dx over a part of (0, r), octave by octave in the angle arccos(x/r).
+    /// ∫ (g − d)/√(r² − x²) dx over a part of (0, r), octave by octave in the angle arccos(x/r). What lies further in than
+    /// [`OCTAVES`] below the upper end is taken as one part: the weight of its radii is that of 2⁻⁴⁰ of the whole.
     fn afresh(&self, from: f64, to: f64, d: f64, r: f64) -> Result<f64> {
-        let mut ends = in_octaves(&[if from > 0.0 { from } else { to * 2f64.powi(-OCTAVES) }, to]);
-        if from == 0.0 {
-            ends.insert(0, 0.0);
+        let innermost = to * 2f64.powi(-OCTAVES);
+        let mut ends = in_octaves(&[from.max(innermost), to]);
+        if from < innermost {
+            ends.insert(0, from);
         }
         let angle = |x: f64| ((r - x).sqrt() * (r + x).sqrt()).atan2(x);
         let mut sum = 0.0;
