@@ -4,22 +4,21 @@
     pip install python-flint
     python3 scripts/check_certificates.py CERTIFICATE.json [MORE.jsonl ...] [--records RECORDS.jsonl ...]
 
-What is taken from the theory are its definitions. With the heights f(r), C(a) is the controlled quantity (d, F or d + F/k) of
-the equilibrium with contact radius a:
+What is taken from the theory are the definitions of the media, in certificate_media.py: a contact is given by its stiffness, its
+area and the depth without adhesion. On a half-space, with the heights f(r),
 
     g(x) = x int_0^x f'(r)/sqrt(x^2 - r^2) dr  (1.1)        dl(a) = sqrt(2 pi a w/E*)  (1.4)
     d = g(a) - dl(a)  (1.5)                                 F = 2 E* int_0^a (d - g) dx  (1.6)
 
-Everything else is computed in certificate_contact.py. r = x sin t takes the root out of (1.1): g = x int f'(x sin t) dt over a
-quarter turn. g' and g'' are that integral differentiated; where f' or f'' jumps at r = b, the lower limit arcsin(b/x) of a
-part contributes. The integral of g over x is, in the other order of integration, x^2 int f'(x sin t) cos^2 t dt. f is read as
-a formula and differentiated by Taylor series. All numbers are balls, and all integrals rigorous. One thing is assumed: slopes
-on the two sides of a kink that agree to 60 bits are equal.
+C(a) is the controlled quantity (d, F or d + F/k) of the equilibrium with contact radius a. certificate_transform.py has the
+integrals, certificate_contact.py C and its derivatives, certificate_formula.py reads f as a formula and differentiates it by
+Taylor series. All numbers are balls, and all integrals rigorous. One thing is assumed: slopes on the two sides of a kink that
+agree to 60 bits are equal.
 
 A certificate is refused unless its cells join without a gap from one end of the range to the other, C has on each cell the
 trend that is claimed, each fold and each equilibrium lies where it is printed (an interval Newton step proves it, and every
-digit), none is missing by the signs of C - value between the turning points, and the path is the one that follows from these.
-Not checked: energies, and whether surfaces overlap outside of the contact.
+digit), none is missing by the signs of C - value between the turning points, and the path is the one that follows from these
+(certificate_path.py). Not checked: energies, and whether surfaces overlap outside of the contact.
 
 With --records, the digits of published records are compared with those of the certificates that were checked, each of which is
 proved then: certificate_records.py.
@@ -33,13 +32,16 @@ import sys
 import time
 
 try:
-    from flint import arb, ctx, fmpq
+    from flint import arb, ctx
 except ImportError:
     print("skipped: python-flint is not installed (pip install python-flint)")
     sys.exit(77)
 
-from certificate_contact import EFFORT, ROUGH, Contact, Refused, bisected, half_unit, hull, rational, require
+from certificate_contact import Contact
+from certificate_formula import ROUGH, Refused, bisected, half_unit, hull, letter_of, rational, require, shown
+from certificate_path import Path
 from certificate_records import compared
+from certificate_transform import EFFORT
 
 DEPTH = 64  # halvings of a cell
 LEAVES = 4000  # parts of a cell
@@ -56,17 +58,17 @@ class Parts:
 
     def kind(self, lower, upper):
         """+ or - for a sign, u or d where turning rises or falls; None where it stays open."""
-        contact, x, piece, root = self.contact, hull(lower, upper), self.piece, None
-        if contact.law and contact.control != "machine" and contact.law[0] != fmpq(1, 2):
-            # A constant less than a power of a.
-            return "u" if contact.law[0] > fmpq(1, 2) else "d"
-        if self.above is not None and lower == self.above and contact.jump(piece - 1) is not None:
-            root = hull(0, (arb(upper) ** 2 - contact.breaks[piece - 1] ** 2).sqrt())
+        contact, x, piece = self.contact, hull(lower, upper), self.piece
+        if course := contact.course():
+            return course
+        beside = self.above is not None and lower == self.above and contact.transform.jump(piece - 1) is not None
         try:
-            if letter := letter_of(contact.turning(x, piece, root)):
+            if letter := letter_of(contact.turning(x, piece, beside)):
                 return letter
-            if root is not None or lower == 0:
+            if beside:
                 return None
+            if lower == 0:
+                return contact.sign_at_tip(upper)
             slope, middle = contact.turning_slope(x, piece), arb(x.mid())
             if letter := letter_of(contact.turning(middle, piece) + slope * (x - middle)):
                 return letter
@@ -76,10 +78,10 @@ class Parts:
 
     def leaves(self, lower, upper, depth=0):
         self.count += 1
-        self.contact.effort = EFFORT[depth > 16]
+        self.contact.transform.effort = EFFORT[depth > 16]
         if kind := self.kind(lower, upper):
             return [(lower, upper, kind)]
-        require(depth < DEPTH and self.count < LEAVES, f"a cell at a = {float(arb(lower).mid()):.6g} is not decided")
+        require(depth < DEPTH and self.count < LEAVES, f"a cell at a = {shown(lower)} is not decided")
         middle = arb((upper / 16 if lower == 0 else (arb(lower) + arb(upper)) / 2).mid())
         return self.leaves(lower, middle, depth + 1) + self.leaves(middle, upper, depth + 1)
 
@@ -101,10 +103,6 @@ class Parts:
 
 # With u and d for a change of sign where turning is monotone.
 TURNS = {shape: "minimum" for shape in ("-u+", "-u", "u+", "u")} | {shape: "maximum" for shape in ("+d-", "+d", "d-", "d")}
-
-
-def letter_of(value):
-    return "+" if value > 0 else "-" if value < 0 else None
 
 
 JOINED = {
@@ -180,16 +178,16 @@ class Certificate:
 
     def cells(self):
         """The cells, which cover the range, each with the trend that it claims."""
-        cells = [(rational(cell["from"]), rational(cell["to"]), cell["trend"]) for cell in self.given["cells"]]
-        lower, upper = (rational(text) for text in self.given["range"])
-        require(cells and cells[0][0] == lower, "the first cell does not begin with the range")
-        require(cells[-1][1] == upper, "the last cell does not end with the range")
-        for (_, end, _), (begin, _, _) in zip(cells, cells[1:]):
-            require(end == begin, f"no cell between a = {float(end)} and {float(begin)}" if end < begin else "cells overlap")
+        rows = self.given["cells"]
+        require(rows and rows[0]["from"] == self.given["range"][0], "the first cell does not begin with the range")
+        require(rows[-1]["to"] == self.given["range"][1], "the last cell does not end with the range")
+        for cell, other in zip(rows, rows[1:]):
+            require(cell["to"] == other["from"], f"the cell to a = {cell['to']} and the next, from {other['from']}, do not join")
+        cells = [(rational(cell["from"]), rational(cell["to"]), cell["trend"]) for cell in rows]
         for begin, end, claimed in cells:
             require(0 <= begin < end, "a cell without radii")
             found = trend(self.contact, arb(begin), arb(end))
-            require(found == claimed, f"from a = {float(begin):.9g} to {float(end):.9g} C {found}, not {claimed}")
+            require(found == claimed, f"from a = {shown(begin)} to {shown(end)} C {found}, not {claimed}")
         courses = "".join({"falls": "-", "rises": "+", "minimum": "-+", "maximum": "+-"}[cell[2]] for cell in cells)
         require(all(left == right for left, right in courses_at_ends(cells)), f"the trends {courses} do not join")
         return cells
@@ -259,14 +257,17 @@ class Certificate:
         return box
 
     def agree(self, row, a, state, prefix=""):
-        """The printed digits are those of the state."""
-        for key, value in zip(("contact_radius", "indentation", "force"), (a, *state)):
+        """The printed digits are those of the state; a 0 is one of which nothing is left in so many bits."""
+        for key, value, size in zip(("contact_radius", "indentation", "force"), (a, *state), self.contact.sizes(a)):
             text = row.get(prefix + key)
             if text is None:
-                require(row.get("status", "ok") != "ok" or prefix + key not in row or prefix, f"no {key}")
+                missing = row.get("status", "ok") == "ok" and prefix + key in row and not prefix
+                require(value is None or not missing, f"no {key}")
                 continue
+            require(value is not None, f"{prefix}{key} {text}, which is not defined")
             slack = half_unit(text) if "/" not in text else 0
-            exact = bool(abs(value - rational(text)) <= arb(slack) * (1 + arb(2) ** -40) + abs(value) * arb(2) ** -(ctx.prec // 2 + 20))
+            rounding = arb(2) ** -(ctx.prec // 2 + 20) * (size if rational(text) == 0 else abs(value))
+            exact = bool(abs(value - rational(text)) <= arb(slack) * (1 + arb(2) ** -40) + rounding)
             require(exact, f"{prefix}{key} {text}, which is {value.str(self.digits + 5)}")
 
     # Equilibria
@@ -281,13 +282,13 @@ class Certificate:
 
     def end_value(self, a):
         with precision(ROUGH):
-            return arb(0) if a == 0 else self.contact.at(a, self.contact.piece(a))
+            return self.contact.at_tip() if a == 0 else self.contact.at(a, self.contact.piece(a))
 
     def side(self, end, value):
         """The sign of C - value at the end of a branch."""
         if end[1] is None:
             return "+"
-        if end[0] == 0 and value == 0:
+        if end[0] == 0 and value == end[1]:
             return {"falls": "-", "minimum": "-"}.get(self.given["cells"][0]["trend"], "+")
         letter = letter_of(end[1] - value)
         require(letter, "a value at a fold")
@@ -316,7 +317,7 @@ class Certificate:
         text, contact = row[prefix + "contact_radius"], self.contact
         near = arb(rational(text)) + arb(half_unit(text)) * hull(-1, 1)
         if contact.edge is not None and near.contains(arb(contact.edge)):
-            a, state = self.at_edge(value)
+            a, state = contact.at_edge(value)
         else:
             piece = contact.piece(near)
             require(piece is not None, "an equilibrium at a kink")
@@ -324,16 +325,6 @@ class Certificate:
             state = contact.state(a, piece)
         self.agree(row, a, state, prefix)
         return a
-
-    def at_edge(self, value):
-        """The contact held at the vertical edge b: F = 2 E* (b d - int g), with d or F or D given."""
-        contact, b = self.contact, arb(self.contact.edge)
-        mean = contact.mean(b, len(contact.breaks))
-        stiffness = 2 * contact.e * b
-        d = {"indentation": value, "force": (value + 2 * contact.e * mean) / stiffness}.get(contact.control)
-        if d is None:
-            d = (value + 2 * contact.e * mean / contact.k) / (1 + stiffness / contact.k)
-        return b, (d, 2 * contact.e * (b * d - mean))
 
 
 def courses_at_ends(cells):
@@ -353,118 +344,6 @@ class precision:
 
     def __exit__(self, *_):
         ctx.prec = self.before
-
-
-# Paths
-
-
-class Path:
-    """The path that follows from the turning points: on rising branches, and at their ends to the next in the way of the jump."""
-
-    def __init__(self, certificate):
-        self.of, self.rows = certificate, list(certificate.given["path"])
-        self.branches = certificate.branches()
-        require(certificate.given["cells"][0]["from"] == "0", "a path whose radii are known down to the tip")
-
-    def rising(self, index):
-        lower, upper = self.branches[index]
-        start = self.of.given["cells"][0]["trend"] in ("rises", "maximum")
-        return start == (index % 2 == 0)
-
-    def holds(self, index, value):
-        """Whether there is an equilibrium on a rising branch."""
-        lower, upper = self.branches[index]
-        return self.rising(index) and self.of.side(lower, value) == "-" and self.of.side(upper, value) == "+"
-
-    def next_row(self, event):
-        require(self.rows, f"the path ends before its {event}")
-        row = self.rows.pop(0)
-        require(row["event"] == event, f"the event {row['event']}, where the path has {event}")
-        return row
-
-    def state(self, row, index, value, prefix=""):
-        """The state of a row is the one on a branch."""
-        if index is None:
-            require(row[prefix + "contact_radius"] is None, "a contact radius without contact")
-            return
-        a = self.of.equilibrium(row, value, prefix)
-        lower, upper = self.branches[index]
-        require(upper[1] is None or lower[0] < a < upper[0], "a state on another branch")
-
-    def check(self):
-        way = [arb(rational(text)) for text in self.of.given["way"]]
-        count, here = len(self.rows), self.begin(self.of.given["start"], way[0])
-        self.state(self.next_row("start"), here, way[0])
-        for place, (value, target) in enumerate(zip(way, way[1:])):
-            here = self.move(here, value, target)
-            if here == "complete":
-                break
-            self.state(self.next_row("end" if place == len(way) - 2 else "way-point"), here, target)
-        require(not self.rows, "events after the end of the path")
-        return count
-
-    def begin(self, start, value):
-        held = [index for index in range(len(self.branches)) if self.holds(index, value)]
-        if start == "detached":
-            return None
-        require(held, "no stable state to start from")
-        if start in ("largest", "smallest"):
-            return held[-1 if start == "largest" else 0]
-        row, wanted = self.rows[0], arb(rational(start))
-        nearness = []
-        for index in held:
-            f = lambda a: self.of.contact.at(a, self.of.contact.piece(a)) - value
-            lower, upper = (arb(end[0].mid()) for end in self.branches[index])
-            a = bisected(f, lower * (1 + arb(2) ** -60), upper * (1 - arb(2) ** -60))
-            nearness.append((abs((a / wanted).log()), index))
-        return min(nearness, key=lambda pair: float(pair[0].mid()))[1]
-
-    def move(self, here, value, target):
-        up = bool(target > value)
-        while True:
-            if here is None:
-                if not up or not target > 0:
-                    return None
-                require(value <= 0, "surfaces that touch already")
-                value = arb(0)
-                if self.of.given["cells"][0]["trend"] in ("rises", "maximum"):
-                    here = 0
-                    self.next_row("touch")
-                    continue
-                here = self.land(-1, value, outwards=True)
-                self.state(self.next_row("jump-in"), here, value, "to_")
-                continue
-            lower, upper = self.branches[here]
-            end = upper if up else lower
-            beyond = end[1] is not None and (end[1] < target if up else end[1] > target)
-            if not beyond:
-                require(end[1] is None or end[1] > target or end[1] < target, "a way point at a fold")
-                return here
-            if end[0] == 0:
-                raise Refused("a contact that shrinks to a point")
-            require(here + 1 < len(self.branches) if up else here > 0, "a path that leaves the range")
-            turn, value = self.of.turns[here if up else here - 1], end[1]
-            there = self.land(here, value, up)
-            if up and there is None:
-                require(self.of.contact.law and self.of.contact.law[0] < fmpq(1, 2), "a jump out of the range")
-                # Beyond the last turning point of a power law below 1/2 turning falls on all radii.
-                self.of.agree(self.next_row("complete-contact"), turn.a, turn.state)
-                return "complete"
-            row = self.next_row("jump" if there is not None else "detached")
-            self.of.agree(row, turn.a, turn.state)
-            if there is not None:
-                self.state(row, there, value, "to_")
-            here = there
-
-    def land(self, here, value, outwards):
-        """The next branch with an equilibrium, over which C - value keeps the sign that drives the contact."""
-        order = range(here + 1, len(self.branches)) if outwards else range(here - 1, -1, -1)
-        for index in order:
-            if abs(index - here) > 1 and self.holds(index, value):
-                return index
-            if index == 0 and outwards and here == -1 and self.holds(index, value):
-                return index
-        return None
 
 
 def lines(file):

@@ -1,7 +1,7 @@
 //! Certificates: what a small program needs to check an answer without trust in this one.
 //!
 //! The controlled quantity C(a) of the equilibria with contact radius a is given by the definitions (1.1) and (1.4) to (1.6)
-//! alone. A certificate divides the range of radii into cells and says of each that C rises, falls, or does one after the
+//! alone, or those of another medium. A certificate divides the range of radii into cells and says of each that C rises, falls, or does one after the
 //! other. Each is a claim about a function that its reader computes, from the heights f(r), by integrals of his own; that the
 //! cells leave no gap is seen by their ends. Folds are the cells where C turns, equilibria the cells at whose ends C is on
 //! either side of the value, and a path follows from both. `scripts/check_certificates.py` is such a reader.
@@ -9,16 +9,17 @@
 use std::cmp::Ordering;
 
 use mdr_core::contact::{Control, Flank, Shape};
-use mdr_core::number::{Literal, Precision, Real};
-use mdr_numeric::path::Start as PathStart;
+use mdr_core::number::{Interval, Literal, Precision, Real};
+use mdr_numeric::path::{EventKind, Start as PathStart};
 use mdr_numeric::proof::{ProvedBranches, Trend};
-use rug::Float;
+use rug::{Float, Rational};
 use serde_json::{Map, Value, json};
 
+use crate::answer::PathEvent;
 use crate::answer::{Answer, Promise};
 use crate::error::{Error, Result};
 use crate::run::Stop;
-use crate::scene::{Profile, Scene};
+use crate::scene::{ExactMedium, Grading, Profile, Scene};
 use crate::solve::certified::Certified;
 use crate::solve::proof::{Enclosed, FoldProof};
 
@@ -26,6 +27,8 @@ use crate::solve::proof::{Enclosed, FoldProof};
 const SCHEMA: &str = "mdr.certificate/1";
 /// How far the cells of a certificate extend beyond the contact radii of the answer.
 const REACH: f64 = 16.0;
+/// Bits of a half-width, which is the end of a cell on a periodic medium.
+const HALF_WIDTH: u32 = 192;
 
 impl Scene {
     /// The certificate of an answer to this scene, as one line of JSON, schema `mdr.certificate/1`; docs/certificates.md has its
@@ -41,12 +44,10 @@ impl Scene {
     ///
     /// # Errors
     /// A scene without folds, equilibria or a path; an answer in f64, or one that is not proved; a profile of measured rows, two
-    /// works of adhesion, or another medium than a half-space; folds that are not proved to be all.
+    /// works of adhesion, or a graded half-space without its coefficient; a path to complete contact on a periodic medium; folds
+    /// that are not proved to be all.
     pub fn certificate(&self, answer: &Answer) -> Result<String> {
         let refuse = |key: &'static str, why: &str| self.places.of(key).refuse(why.to_owned());
-        if !self.pressed_into().is_half_space() {
-            return Err(refuse("medium", "a certificate speaks of a half-space"));
-        }
         if self.has_two_works() {
             return Err(refuse("material.work_of_adhesion", "a certificate speaks of one work of adhesion"));
         }
@@ -59,6 +60,13 @@ impl Scene {
             .filter(certified)
             .map(|output| (output.kind().name().to_owned(), json!(output.rows())))
             .collect();
+        let is_complete = |event: &PathEvent| event.event == EventKind::CompleteContact;
+        let completes = answer.path().is_some_and(|path| path.events.items.iter().any(is_complete));
+        if completes && self.pressed_into().is_periodic() {
+            let why =
+                "a certificate speaks of no path to complete contact on a periodic medium; end the path before it";
+            return Err(refuse("control.path", why));
+        }
         if outputs.is_empty() {
             let why = "a certificate needs certified folds, equilibria or a path among the outputs";
             return Err(refuse("output.want", why));
@@ -68,7 +76,7 @@ impl Scene {
         certificate.extend(self.contact_in_words()?);
         certificate.insert("digits".to_owned(), json!(answer.arithmetic.digits()));
         let radii = radii(&outputs).ok_or_else(|| {
-            refuse("output.want", "a certificate has every contact radius as a number in the range of f64")
+            refuse("output.want", "a certificate has every contact radius as a number, without log10")
         })?;
         let cells = self.cells(&radii)?;
         let range = [cells.first().map(|cell| &cell["from"]), cells.last().map(|cell| &cell["to"])];
@@ -84,11 +92,17 @@ impl Scene {
         let mut contact = Map::new();
         let mut terms = Vec::new();
         let mut edge = None;
-        describe(&self.profile, &mut terms, &mut edge)
+        describe(&self.profile, self.pressed_into(), &mut terms, &mut edge)
             .map_err(|why| self.places.of("profile").refuse(why.to_owned()))?;
         contact.insert("profile".to_owned(), terms.into());
         contact.insert("edge".to_owned(), edge.as_ref().map_or(Value::Null, text));
-        contact.insert("e_star".to_owned(), text(&self.effective_modulus));
+        match medium_in_words(self.pressed_into()) {
+            Ok(medium) => contact.extend(medium.map(|medium| ("medium".to_owned(), medium))),
+            Err(why) => return Err(self.places.of("medium").refuse(why.to_owned())),
+        }
+        if self.pressed_into().needs_modulus() {
+            contact.insert("e_star".to_owned(), text(&self.effective_modulus));
+        }
         contact.insert("work_of_adhesion".to_owned(), text(&self.work_of_adhesion));
         contact.insert("control".to_owned(), json!(self.control.kind().name()));
         if let Control::Machine { stiffness } = &self.control {
@@ -107,27 +121,39 @@ impl Scene {
         Ok(contact)
     }
 
-    /// The one cell of a power law that is not on a machine, with its only fold: √a g' is a power of a.
-    fn cells_of_law(&self, radii: &[f64]) -> Option<Vec<Value>> {
+    /// The one cell of a power law that is not on a machine, with its only fold: g' is a power of a, and so is Δl/a. On a Winkler
+    /// foundation at fixed grips, where Δl is constant, there is none.
+    fn cells_of_law(&self, radii: &[Float]) -> Option<Vec<Value>> {
         let [n, _] = self.profile.exact_power_law(Literal::to_rational)?;
-        let half = rug::Rational::from((1, 2));
-        let trend = match n.to_rational().cmp(&half) {
+        let threshold = match self.pressed_into() {
+            ExactMedium::Graded { exponent, .. } => (1 - exponent.to_rational()) / 2u32,
+            ExactMedium::Winkler { .. } => Rational::new(),
+            ExactMedium::HalfSpace | ExactMedium::Plane { reference: None } => Rational::from((1, 2)),
+            ExactMedium::Plane { .. } | ExactMedium::Periodic { .. } => return None,
+        };
+        let trend = match n.to_rational().cmp(&threshold) {
+            Ordering::Greater if threshold.is_zero() && self.control == Control::Indentation => Trend::Rises,
             Ordering::Greater => Trend::Minimum,
             Ordering::Less => Trend::Maximum,
             Ordering::Equal => return None,
         };
-        let last = REACH * radii.iter().copied().fold(0.0, f64::max);
+        let last = Float::with_val(53, largest(radii)?) * REACH;
         let usable = last.is_normal() && !matches!(self.control, Control::Machine { .. });
-        usable.then(|| vec![json!({"from": "0", "to": exact(&Float::with_val(53, last)), "trend": trend.name()})])
+        usable.then(|| vec![json!({"from": "0", "to": exact(&last), "trend": trend.name()})])
     }
 
     /// The cells of the proof of all folds; one below the range, to the tip, where C is known to be monotone there.
     ///
     /// They end at [`REACH`] times the largest of the `radii` in the answer and of the kinks, since a reader's integrals over many
     /// waves are slow; and before the end of a profile, where they converge slowly.
-    fn cells(&self, radii: &[f64]) -> Result<Vec<Value>> {
+    fn cells(&self, radii: &[Float]) -> Result<Vec<Value>> {
         if let Some(cells) = self.cells_of_law(radii) {
             return Ok(cells);
+        }
+        let doubles: Vec<f64> = radii.iter().map(Float::to_f64).collect();
+        if !doubles.iter().all(|a| a.is_normal()) {
+            let why = "a certificate has every contact radius in the range of f64, but for a power law at fixed grips or a dead load";
+            return Err(self.places.of("output.want").refuse(why.to_owned()));
         }
         let counts = Stop::default().counts();
         let certified = Certified::new(self, answer_digits(self), &counts);
@@ -138,13 +164,16 @@ impl Scene {
         if !complete.proved {
             return Err(refuse(&format!("{open}: {}", complete.why)));
         }
-        let curve = Enclosed::new(&certified, Precision::new(128))?.curve();
+        let enclosed = Enclosed::new(&certified, Precision::new(HALF_WIDTH))?;
+        let curve = enclosed.curve();
+        let size = |a: &f64| curve.plain().medium().size(&Interval::from_f64(Precision::new(HALF_WIDTH), *a)).approx();
         let transform = curve.plain().transform();
         let kinks = transform.kinks().iter().map(Real::approx).collect::<Vec<_>>();
         let edge = curve.plain().vertical_edge().map(|edge| edge.approx());
         let folds = proved.folds.iter().map(|fold| fold.contact_radius.approx());
-        let largest = radii.iter().copied().chain(kinks).chain(edge).chain(folds).fold(0.0, f64::max);
+        let largest = doubles.iter().map(size).chain(kinks).chain(edge).chain(folds).fold(0.0, f64::max);
         let outer = transform.outer_radius().map(|outer| outer.approx());
+        let largest = if largest > 0.0 { largest } else { proved.range.1.to_f64() / REACH };
         let last = outer.map_or(f64::MAX, |outer| largest + 0.875 * (outer - largest)).min(REACH * largest);
         let pole = proved.poles.first().map_or(f64::MAX, |pole| 0.999 * pole.contact_radius.lower().to_f64());
         if proved.folds.iter().any(|fold| fold.contact_radius.approx() >= pole) {
@@ -152,7 +181,13 @@ impl Scene {
         }
         let last = Float::with_val(53, last.min(pole));
         let cell = |from: Value, to: Value, trend: Trend| json!({"from": from, "to": to, "trend": trend.name()});
-        let end = |end: &Float| json!(exact(end));
+        let end = |end: &Float| {
+            if !self.pressed_into().is_periodic() {
+                return json!(exact(end));
+            }
+            let size = Interval::point(Float::with_val(HALF_WIDTH, end));
+            json!(exact(enclosed.value.contact_radius(&size).midpoint().lower()))
+        };
         let mut cells: Vec<Value> = proved
             .cells
             .iter()
@@ -168,8 +203,8 @@ impl Scene {
     }
 }
 
-/// All contact radii, at any depth; `None` if one is out of the range of f64.
-fn radii(outputs: &Map<String, Value>) -> Option<Vec<f64>> {
+/// All contact radii but that of a point, at any depth; `None` if one has a logarithm alone.
+fn radii(outputs: &Map<String, Value>) -> Option<Vec<Float>> {
     let mut found = Vec::new();
     let mut open: Vec<&Value> = outputs.values().collect();
     while let Some(value) = open.pop() {
@@ -181,7 +216,8 @@ fn radii(outputs: &Map<String, Value>) -> Option<Vec<f64>> {
                 }
                 let keys = ["contact_radius", "to_contact_radius"].into_iter();
                 for text in keys.filter_map(|key| row.get(key)?.as_str()) {
-                    found.push(text.parse::<f64>().ok().filter(|a| a.is_normal())?);
+                    let a = Float::with_val(64, Float::parse(text).ok()?);
+                    found.extend(Some(a).filter(|a| !a.is_zero()));
                 }
                 open.extend(row.values());
             }
@@ -189,6 +225,33 @@ fn radii(outputs: &Map<String, Value>) -> Option<Vec<f64>> {
         }
     }
     Some(found)
+}
+
+/// The largest of some radii.
+fn largest(radii: &[Float]) -> Option<&Float> {
+    radii.iter().max_by(|one, other| one.total_cmp(other))
+}
+
+/// The medium with its exact numbers, but for its modulus E*; `None` of a half-space.
+fn medium_in_words(medium: &ExactMedium) -> std::result::Result<Option<Value>, &'static str> {
+    let numbers: Vec<(&str, &Literal)> = match medium {
+        ExactMedium::HalfSpace => return Ok(None),
+        ExactMedium::Graded { exponent, stiffness: Grading::Coefficient(c) } => {
+            vec![("exponent", exponent), ("coefficient", c)]
+        }
+        ExactMedium::Graded { .. } => {
+            return Err(
+                "a certificate has c of a graded half-space as a number; give coefficient in place of modulus and depth",
+            );
+        }
+        ExactMedium::Winkler { modulus } => vec![("modulus", modulus)],
+        ExactMedium::Plane { reference } => reference.iter().map(|reference| ("reference", reference)).collect(),
+        ExactMedium::Periodic { wavelength, .. } => vec![("wavelength", wavelength)],
+    };
+    let mut words = Map::new();
+    words.insert("kind".to_owned(), json!(medium.name()));
+    words.extend(numbers.into_iter().map(|(key, number)| (key.to_owned(), json!(number.to_string()))));
+    Ok(Some(Value::Object(words)))
 }
 
 /// The working digits of a scene, of which the cells do not depend.
@@ -204,6 +267,7 @@ fn exact(number: &Float) -> String {
 /// The heights of a profile as terms of a sum, each a formula with its parameters, and the radius of a vertical edge.
 fn describe(
     profile: &Profile,
+    medium: &ExactMedium,
     terms: &mut Vec<Value>,
     edge: &mut Option<Literal>,
 ) -> std::result::Result<(), &'static str> {
@@ -222,7 +286,7 @@ fn describe(
                 shape.symbols().iter().map(|symbol| (*symbol).to_owned()).zip(values.map(Value::from)).collect();
             terms.push(json!({"f": shape.text(), "parameters": parameters}));
         }
-        Profile::Sum(parts) => parts.iter().try_for_each(|part| describe(part, terms, edge))?,
+        Profile::Sum(parts) => parts.iter().try_for_each(|part| describe(part, medium, terms, edge))?,
         Profile::Formula(formula) => {
             let parameters: Map<String, Value> =
                 formula.parameters.iter().map(|(name, value)| (name.clone(), json!(value.to_string()))).collect();
@@ -230,7 +294,13 @@ fn describe(
         }
         Profile::Table(_) => return Err("a certificate speaks of formulas, not of measured rows"),
         Profile::Function(_) => return Err("a certificate speaks of formulas, not of closures"),
-        Profile::Wave(_) => return Err("a certificate speaks of a half-space"),
+        Profile::Wave(amplitude) => {
+            let ExactMedium::Periodic { wavelength, .. } = medium else {
+                return Err("a wave is on a periodic medium");
+            };
+            let parameters = json!({"h": amplitude.to_string(), "l": wavelength.to_string()});
+            terms.push(json!({"f": "h*(1 - cos(2*pi*r/l))", "parameters": parameters}));
+        }
     }
     Ok(())
 }

@@ -155,7 +155,7 @@ impl ExactMedium {
     }
 
     /// Whether E* of the material is of use.
-    pub(super) fn needs_modulus(&self) -> bool {
+    pub(crate) fn needs_modulus(&self) -> bool {
         !matches!(self, ExactMedium::Graded { .. } | ExactMedium::Winkler { .. })
     }
 
