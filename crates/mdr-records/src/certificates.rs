@@ -4,7 +4,7 @@ use mdr::prelude::{Literal, Want};
 use rayon::prelude::*;
 
 use crate::cases::{self, Case};
-use crate::{RecordError, Result};
+use crate::{RecordError, Result, media_certificates};
 
 /// The kinds of cases whose questions are folds, or equilibria at a value that is a decimal.
 const KINDS: [&str; 6] = ["critical", "machine-folds", "folds", "equilibrium", "equilibria", "past"];
@@ -34,11 +34,13 @@ pub fn certificates() -> std::result::Result<(String, Vec<String>), RecordError>
         }
     }
     let (mut lines, mut without) = (String::new(), Vec::new());
-    let made: Vec<_> = questions.par_iter().map(|question| (question, question.certificate())).collect();
-    for (question, certificate) in made {
+    let of_cases = questions.par_iter().map(|question| (question.case.name.as_str(), question.certificate()));
+    let of_media = media_certificates::contacts();
+    let of_media = of_media.par_iter().map(|question| (question.name, question.certificate()));
+    for (name, certificate) in of_cases.chain(of_media).collect::<Vec<_>>() {
         match certificate {
             Ok(certificate) => lines.push_str(&(certificate + "\n")),
-            Err(why) => without.push(format!("{}: {why}", question.case.name)),
+            Err(why) => without.push(format!("{name}: {why}")),
         }
     }
     Ok((lines, without))

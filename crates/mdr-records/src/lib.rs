@@ -32,6 +32,7 @@ mod folds;
 mod loops;
 mod loops_confirm;
 mod media;
+mod media_certificates;
 mod media_confirm;
 mod profiles;
 mod sensitivity;

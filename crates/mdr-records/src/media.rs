@@ -214,7 +214,7 @@ impl Question {
         self.literals().map(|(_, literal)| R::from_literal(precision, &literal)).collect()
     }
 
-    fn literals(&self) -> impl Iterator<Item = (&'static str, Literal)> {
+    pub(crate) fn literals(&self) -> impl Iterator<Item = (&'static str, Literal)> {
         self.inputs.iter().filter_map(|(name, text)| Some((*name, text.parse().ok()?)))
     }
 
