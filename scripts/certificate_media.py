@@ -66,7 +66,7 @@ def over(f, x):
 class Solid:
     """A half-space graded as E ~ z^k, or a Winkler foundation with k = 1; c is a rational number times a factor."""
 
-    has_depth, has_laws = True, True
+    has_depth, has_laws, period = True, True, None
 
     def __init__(self, c, k, work, factor=1):
         self.k, self.c = k, arb(c) * factor
@@ -190,7 +190,7 @@ class Strip:
 class Plane(Strip):
     """A half-plane, with a point of its surface to measure the depth from or without."""
 
-    has_laws, unit = True, 1
+    has_laws, unit, period = True, 1, None
 
     def __init__(self, e, work, reference):
         self.e, self.reference = arb(e), reference
@@ -243,7 +243,7 @@ class Periodic(Strip):
 
     def __init__(self, e, work, wavelength):
         self.e, self.wavelength = arb(e), arb(wavelength)
-        self.unit = 1 / self.wavelength
+        self.unit, self.period = 1 / self.wavelength, wavelength
         self.s = (arb(work) / (2 * self.wavelength * self.e)).sqrt()
 
     def size(self, a):

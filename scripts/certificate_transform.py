@@ -90,7 +90,7 @@ class Transform:
             for term in given["profile"]
         ]
         self.medium, self.weight = medium, Weight(*medium.weight)
-        self.law, self.factors = self.power_law(), {}
+        self.law, self.wave, self.factors = self.power_law(), self.amplitude(), {}
         self.effort = EFFORT[0]
         self.far = rational(given["range"][1])
         # Kinks as radii, and as arguments of T.
@@ -102,6 +102,13 @@ class Transform:
         if [term.text for term in self.terms] != ["C*r**n"] or not self.medium.has_laws:
             return None
         return self.terms[0].parameters["n"], self.terms[0].parameters["C"]
+
+    def amplitude(self):
+        """h of a wave of the period of the medium: with the sine y of its argument it is 2 h y^2, without a term that cancels as y nears 1."""
+        if [term.text for term in self.terms] != ["h*(1 - cos(2*pi*r/l))"]:
+            return None
+        h, period = (self.terms[0].parameters[name] for name in "hl")
+        return h if self.medium.period == period else None
 
     def pieces(self):
         """The radii where an argument of min, max or abs takes over, and which one holds between them."""
@@ -149,7 +156,10 @@ class Transform:
 
     def heights(self, x, order, piece, analytic=False):
         """f and its derivatives in the argument of T, as Taylor coefficients, in a piece."""
-        jet = self.medium.radius(Jet([acb(x), acb(1)] + [acb(0)] * (order - 1), analytic))
+        jet = Jet([acb(x), acb(1)] + [acb(0)] * (order - 1), analytic)
+        if self.wave:
+            return (jet * jet * jet.constant(2 * self.wave)).c
+        jet = self.medium.radius(jet)
         values = [term(jet, side) for term, side in zip(self.terms, self.sides[piece])]
         return [sum((value.c[k] for value in values), acb(0)) for k in range(order + 1)]
 
