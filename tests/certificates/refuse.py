@@ -22,7 +22,8 @@ found = {}
 def remembered(contact, lower, upper, compute=check_certificates.trend):
     """The trend of C on a cell of a contact, computed once: most changes leave most cells as they are."""
     given = contact.given
-    key = str([given[key] for key in ("profile", "e_star", "work_of_adhesion", "control")] + [lower, upper])
+    keys = ("medium", "profile", "edge", "e_star", "work_of_adhesion", "control", "stiffness")
+    key = str([given.get(key) for key in keys] + [lower, upper])
     if key not in found:
         found[key] = compute(contact, lower, upper)
     return found[key]
@@ -34,7 +35,7 @@ check_certificates.trend = remembered
 def bumped(text, step):
     """A decimal with its last digit moved."""
     mantissa, exponent = (text.split("e") + [""])[:2]
-    whole, fraction = mantissa.split(".")
+    whole, fraction = (mantissa.split(".") + ["0"])[:2]
     digits = str(int(whole + fraction) + step)
     sign, digits = ("-", digits[1:]) if digits.startswith("-") else ("", digits)
     digits = digits.rjust(len(fraction) + 1, "0")
@@ -43,6 +44,37 @@ def bumped(text, step):
 
 FLIPPED = {"rises": "falls", "falls": "rises", "minimum": "maximum", "maximum": "minimum"}
 ONE_FOLD_LESS = {"minimum": "rises", "maximum": "falls"}
+
+
+MEDIA = [
+    None,
+    {"kind": "graded", "exponent": "0.25", "coefficient": "E"},
+    {"kind": "winkler", "modulus": "E"},
+    {"kind": "plane"},
+    {"kind": "plane", "reference": "20"},
+    {"kind": "periodic", "wavelength": "1"},
+    {"kind": "layer"},
+]
+
+
+def on_other_media(given):
+    """Certificates of the same answer on each other medium, of the modulus that the medium had, and with other numbers of its own."""
+    own = given.get("medium", {})
+    modulus = given.get("e_star") or own.get("coefficient") or own.get("modulus")
+    for medium in MEDIA:
+        words = {key: modulus if value == "E" else value for key, value in (medium or {}).items()}
+        if words == own:
+            continue
+        other = {key: value for key, value in copy.deepcopy(given).items() if key not in ("medium", "e_star")}
+        if medium:
+            other["medium"] = words
+        if "E" not in (medium or {}).values():
+            other["e_star"] = modulus
+        yield f"on the medium {medium}", other
+    for key in [key for key in own if key != "kind"]:
+        yield f"another {key}", dict(given, medium=dict(own, **{key: bumped(own[key], 1)}))
+        yield f"no {key}", dict(given, medium={name: value for name, value in own.items() if name != key})
+    yield "a number that the medium has not", dict(given, medium=dict(own or {"kind": "half-space"}, poisson="0.3"))
 
 
 def changes(given):
@@ -78,7 +110,18 @@ def changes(given):
         for key in ("contact_radius", "to_contact_radius", "force", "to_force"):
             if event.get(key) and "." in event[key]:
                 yield changed(f"{key} of event {index} moved", lambda c: c["path"][index].update({key: bumped(event[key], 1)}))
+    yield from on_other_media(given)
+    for key in [key for key in ("e_star", "stiffness") if key in given]:
+        yield changed(f"another {key}", lambda c: c.update({key: bumped(given[key], 1)}))
     yield changed("another work of adhesion", lambda c: c.update(work_of_adhesion=c["work_of_adhesion"] + "1" if "." in c["work_of_adhesion"] else "7e-4"))
+
+
+def in_other_words(given):
+    """The certificate of a wave whose formula is not read as that of a wave, so that all of its integrals are others."""
+    other = copy.deepcopy(given)
+    for term in other["profile"]:
+        term["f"] = term["f"].replace("h*(1 - cos(2*pi*r/l))", "2*h*sin(pi*r/l)^2")
+    return other
 
 
 def main():
@@ -87,6 +130,7 @@ def main():
         with open(file, encoding="utf-8") as text:
             given = json.load(text)
         Certificate(copy.deepcopy(given)).check()
+        Certificate(in_other_words(given)).check()
         for what, other in changes(given):
             try:
                 Certificate(other).check()

@@ -27,8 +27,8 @@ use crate::solve::proof::{Enclosed, FoldProof};
 const SCHEMA: &str = "mdr.certificate/1";
 /// How far the cells of a certificate extend beyond the contact radii of the answer.
 const REACH: f64 = 16.0;
-/// Bits of a half-width, which is the end of a cell on a periodic medium.
-const HALF_WIDTH: u32 = 192;
+/// Bits in which cells are laid out; those of a half-width that ends one, which may be close to half of a period.
+const HALF_WIDTH: u32 = 96;
 
 impl Scene {
     /// The certificate of an answer to this scene, as one line of JSON, schema `mdr.certificate/1`; docs/certificates.md has its
