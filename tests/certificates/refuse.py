@@ -95,6 +95,8 @@ def changes(given):
         for key in ("contact_radius", "indentation", "force"):
             for step in (1, -1):
                 yield changed(f"{key} of fold {index} moved", lambda c: c["folds"][index].update({key: bumped(fold[key], step)}))
+        for key in [key for key in ("indentation", "force") if fold[key] not in ("0", None)]:
+            yield changed(f"{key} of fold {index} is 0", lambda c: c["folds"][index].update({key: "0"}))
         yield changed(f"fold {index} missing", lambda c: c["folds"].pop(index))
         yield changed(f"kind of fold {index}", lambda c: c["folds"][index].update(kind=FLIPPED[fold["kind"]]))
     for row, at in enumerate(given.get("equilibria", [])):
