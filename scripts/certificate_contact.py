@@ -16,6 +16,7 @@ class Contact:
         self.medium = medium_of(given)
         require(self.medium.has_depth or self.control == "force", "a depth, which a line contact without a reference has not")
         self.k = arb(rational(given["stiffness"])) if self.control == "machine" else None
+        require(self.k is None or self.k > 0, "a stiffness that is not positive")
         self.edge = rational(given["edge"]) if given.get("edge") else None
         self.transform = Transform(given, self.medium)
         self.breaks = self.transform.radii
@@ -24,6 +25,7 @@ class Contact:
 
     def piece(self, a):
         """The piece that holds all of a ball; `None` where a kink lies in it."""
+        require(a < self.transform.far, "a radius far beyond the range")
         index = sum(1 for b in self.breaks if b < a)
         return index if all(b > a for b in self.breaks[index:]) else None
 
@@ -60,7 +62,7 @@ class Contact:
             level *= relief
         elif x.contains(0):
             # The root of a ball that begins at 0.
-            return over(medium.scale, x) * self.transform.slope(x.nonnegative_part(), piece) - level
+            return medium.scale_from_tip(x) * self.transform.slope(x.nonnegative_part(), piece) - level
         return at(medium.scale, x) * self.transform.slope(x, piece, relief) - level
 
     def sign_at_tip(self, upper):

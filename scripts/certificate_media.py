@@ -66,7 +66,7 @@ def over(f, x):
 class Solid:
     """A half-space graded as E ~ z^k, or a Winkler foundation with k = 1; c is a rational number times a factor."""
 
-    has_depth, has_laws, period = True, True, None
+    has_depth, has_laws, period, outer = True, True, None, None
 
     def __init__(self, c, k, work, factor=1):
         self.k, self.c = k, arb(c) * factor
@@ -116,6 +116,10 @@ class Solid:
     def scale(self, x):
         """What g' is multiplied by."""
         return x.power(self.scale_order)
+
+    def scale_from_tip(self, x):
+        """The same over a ball that begins at 0."""
+        return over(self.scale, x)
 
     def level(self, x, share):
         return self.s * (arb((1 - self.k) / 2) + arb(1 + self.k) * share)
@@ -193,13 +197,14 @@ class Plane(Strip):
     has_laws, unit, period = True, 1, None
 
     def __init__(self, e, work, reference):
-        self.e, self.reference = arb(e), reference
+        self.e, self.reference, self.outer = arb(e), reference, reference
         self.has_depth = reference is not None
         self.s = (arb.pi() * arb(work) / (2 * self.e)).sqrt()
         if not self.has_depth:
             self.threshold = fmpq(1, 2)
 
     def size(self, a):
+        require(self.reference is None or a < self.reference, "a half-width beyond the reference of the depth")
         return a
 
     def size_slope(self, a):
@@ -212,6 +217,9 @@ class Plane(Strip):
 
     def scale(self, x):
         return x.sqrt()
+
+    def scale_from_tip(self, x):
+        return over(self.scale, x)
 
     def ratio(self, x):
         return (1 - (x / self.reference) ** 2).sqrt()
@@ -243,11 +251,11 @@ class Periodic(Strip):
 
     def __init__(self, e, work, wavelength):
         self.e, self.wavelength = arb(e), arb(wavelength)
-        self.unit, self.period = 1 / self.wavelength, wavelength
+        self.unit, self.period, self.outer = 1 / self.wavelength, wavelength, wavelength / 2
         self.s = (arb(work) / (2 * self.wavelength * self.e)).sqrt()
 
     def size(self, a):
-        require(not 2 * a > self.wavelength, "a half-width above half of the wavelength")
+        require(2 * a < self.wavelength, "a half-width of half of the wavelength or more")
         return (arb.pi() * a / self.wavelength).sin()
 
     def size_slope(self, a):
@@ -263,6 +271,10 @@ class Periodic(Strip):
         """With D'/D = 1/(2 y (1 - y^2)); the factor 1/lambda of N, too."""
         rest = x.constant(1) - x * x
         return (x * rest.power(fmpq(5, 2))).sqrt() * x.constant(self.unit)
+
+    def scale_from_tip(self, x):
+        """It rises no further than to y = 1/sqrt(6)."""
+        return over(Jet.sqrt, x) * (1 - x * x) ** arb(fmpq(5, 4)) * self.unit
 
     def ratio(self, x):
         return arb(1)

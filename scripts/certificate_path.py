@@ -108,6 +108,8 @@ class Path:
         """A contact that shrinks to a point."""
         row = self.next_row("detached")
         require(row["contact_radius"] == "0" and row["force"] == "0", "a point with a radius or a force")
+        if row["indentation"] is None:
+            return require(not self.of.contact.medium.has_depth, "no depth of a point")
         slack = abs(rational(row["indentation"]) - value)
         require(bool(slack <= arb(half_unit(row["indentation"])) * (1 + arb(2) ** -40)), "the depth at which a contact is a point")
 

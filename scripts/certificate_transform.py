@@ -92,7 +92,9 @@ class Transform:
         self.medium, self.weight = medium, Weight(*medium.weight)
         self.law, self.wave, self.factors = self.power_law(), self.amplitude(), {}
         self.effort = EFFORT[0]
-        self.far = rational(given["range"][1])
+        # No radius is looked at beyond it.
+        self.far = 2 * rational(given["range"][1])
+        self.far = medium.outer if medium.outer is not None and medium.outer < self.far else self.far
         # Kinks as radii, and as arguments of T.
         self.radii, self.sides = self.pieces()
         self.breaks = [medium.size(b) for b in self.radii]
@@ -101,7 +103,8 @@ class Transform:
         """n and C of f = C r^n, the only profile with an exponent that is not computed with in Taylor series."""
         if [term.text for term in self.terms] != ["C*r**n"] or not self.medium.has_laws:
             return None
-        return self.terms[0].parameters["n"], self.terms[0].parameters["C"]
+        n, c = (self.terms[0].parameters[name] for name in "nC")
+        return (n, c) if n > 0 and c > 0 else None
 
     def amplitude(self):
         """h of a wave of the period of the medium: with the sine y of its argument it is 2 h y^2, without a term that cancels as y nears 1."""
