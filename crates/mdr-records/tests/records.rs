@@ -57,3 +57,15 @@ fn fits_are_those_of_another_program() {
     }
     assert_eq!(compared, 5 + 9 + 9 + 7 + 7 + 7 + 9);
 }
+
+/// Those on every medium, and those whose radii no double holds.
+#[test]
+fn every_contact_with_folds_has_a_certificate() {
+    let (lines, without) = mdr_records::certificates().unwrap();
+    assert_eq!(without, Vec::<String>::new());
+    for (kind, count) in [("graded", 16), ("plane", 7), ("periodic", 11)] {
+        let named = format!(r#""kind":"{kind}""#);
+        assert_eq!(lines.lines().filter(|line| line.contains(&named)).count(), count, "{kind}");
+    }
+    assert_eq!(lines.lines().count(), 245);
+}
