@@ -1,10 +1,11 @@
 //! Certificates: what a small program needs to check an answer without trust in this one.
 //!
 //! The controlled quantity C(a) of the equilibria with contact radius a is given by the definitions (1.1) and (1.4) to (1.6)
-//! alone, or those of another medium. A certificate divides the range of radii into cells and says of each that C rises, falls, or does one after the
-//! other. Each is a claim about a function that its reader computes, from the heights f(r), by integrals of his own; that the
-//! cells leave no gap is seen by their ends. Folds are the cells where C turns, equilibria the cells at whose ends C is on
-//! either side of the value, and a path follows from both. `scripts/check_certificates.py` is such a reader.
+//! alone, or by those of another medium. A certificate divides the range of radii into cells and says of each that C rises,
+//! falls, or does one after the other. Each is a claim about a function that its reader computes, from the heights f(r), by
+//! integrals of his own; that the cells leave no gap is seen by their ends. Folds are the cells where C turns, equilibria the
+//! cells at whose ends C is on either side of the value, and a path follows from both. `scripts/check_certificates.py` is such a
+//! reader.
 
 use std::cmp::Ordering;
 
