@@ -16,8 +16,7 @@ use mdr_numeric::proof::{ProvedBranches, Trend};
 use rug::{Float, Rational};
 use serde_json::{Map, Value, json};
 
-use crate::answer::PathEvent;
-use crate::answer::{Answer, Promise};
+use crate::answer::{Answer, PathEvent, Promise};
 use crate::error::{Error, Result};
 use crate::run::Stop;
 use crate::scene::{ExactMedium, Grading, Profile, Scene};

@@ -226,11 +226,8 @@ impl Terrain {
                 continue;
             }
             let is_flat = [before, after].iter().all(|other| other.1 - sample.1 <= FLAT * sample.1.abs());
-            let found = if is_flat {
-                *sample
-            } else {
-                self.least_between(before.0, after.0, *sample, |r| self.gap(a, d, r))?
-            };
+            let found =
+                if is_flat { *sample } else { self.least_between(before.0, after.0, *sample, |r| self.gap(a, d, r))? };
             if best.is_none_or(|best| found.1 < best.1) {
                 best = Some(found);
             }
