@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Control, Equilibrium, Error, Fold, FoldKind, Outcome, Quantity, Result, Stability};
+use mdr_core::contact::{Control, Equilibrium, Error, Fold, FoldKind, Outcome, Quantity, Result, Stability, Transform};
 use mdr_core::number::Real;
 
 use crate::admissible::{Admissibility, GapVerdict, Ring, Touch};
@@ -208,12 +208,10 @@ pub fn onset<R: Real>(curve: &Contact<R>, first: Option<&Fold<R>>) -> Result<Fir
     let radius = first.map(|fold| fold.contact_radius.clone()).filter(|radius| *radius < length).unwrap_or(length);
     let close = (radius.unit_roundoff() * &radius).midpoint();
     let undecided = |what| Error::undecided(Quantity::ContactRadius, &radius, what);
-    let g = curve.transform().g(&close)?;
-    if g < g.lit(0) {
-        return Ok(FirstContact::Dimple);
-    }
-    if !(g >= g.lit(0)) {
-        return Err(undecided("whether the profile has a dimple at its tip"));
+    match begins_below(curve.transform(), &close)? {
+        Some(true) => return Ok(FirstContact::Dimple),
+        Some(false) => {}
+        None => return Err(undecided("whether the profile has a dimple at its tip")),
     }
     let stable = match first {
         Some(fold) => fold.kind == FoldKind::Maximum,
@@ -223,6 +221,25 @@ pub fn onset<R: Real>(curve: &Contact<R>, first: Option<&Fold<R>>) -> Result<Fir
         },
     };
     Ok(if stable { FirstContact::Smooth } else { FirstContact::Abrupt })
+}
+
+/// Whether g falls from its value 0 at the tip, by its sign at a radius close to it. Where g is as small as the roundings of what it is
+/// a difference of, as r² is in R − √(R² − r²), its slope tells.
+fn begins_below<R: Real>(transform: &dyn Transform<R>, close: &R) -> Result<Option<bool>> {
+    let sign = |value: R| match value.partial_cmp(&value.lit(0)) {
+        None => (value >= value.lit(0)).then_some(Ordering::Greater),
+        order => order,
+    };
+    let of_value = match transform.g(close) {
+        Ok(g) => sign(g),
+        Err(Error::Unproved { .. } | Error::NoConvergence { .. }) => None,
+        Err(error) => return Err(error),
+    };
+    let order = match of_value {
+        None => sign(transform.slope(close)?),
+        order => order,
+    };
+    Ok(order.map(|order| order == Ordering::Less))
 }
 
 /// The error for an equilibrium outside the searched range of contact radii.
