@@ -190,13 +190,14 @@ fn edge_within<R: Real>(crossing: &Crossing<R>, curve: &Contact<R>, kinks: &[R])
     within.find(|kink| singular(kink)).cloned()
 }
 
-/// The radius of the fold at a crossing; without adhesion exactly the end of a flat.
+/// The radius of the fold at a crossing; where folds are where g' = 0, exactly the end of a flat.
 fn radius_of<R: Real>(
     crossing: &Crossing<R>,
     curve: &Contact<R>,
     ratio: impl Fn(&R) -> Result<R>,
 ) -> Result<Option<R>> {
-    let flat = if curve.adhesion().vanishes() { curve.flat()? } else { None };
+    let zero = crossing.lower.lit(0);
+    let flat = if curve.critical_ratio_at(&crossing.lower) == zero { curve.flat()? } else { None };
     match flat.filter(|end| *end >= crossing.lower && *end <= crossing.upper) {
         Some(end) => Ok(Some(end)),
         None => radius_at(crossing, ratio),

@@ -20,18 +20,18 @@ impl<R: Real> Contact<R> {
         self.medium.tangency(self.adhesion.scale(), slope, a, &self.control)
     }
 
-    /// A function that is 1 at a fold, and larger where equilibria are stable: the tangency ratio over its critical value. At an
-    /// edge without adhesion the folds are where g' = 0, and it is 1 + sin φ with tan φ = ag'/g, which does not tend to 1 at the
-    /// tip.
+    /// A function that is 1 at a fold, and larger where equilibria are stable: the tangency ratio over its critical value. Where that
+    /// is 0, at an edge without adhesion and on a Winkler foundation at fixed grips, where Δl is constant, the folds are where g' = 0,
+    /// and it is 1 + sin φ with tan φ = ag'/g, which does not tend to 1 at the tip.
     pub(crate) fn fold_ratio(&self, a: &R) -> Result<R> {
-        if !self.adhesion.vanishes() {
-            let critical = self.critical_ratio_at(a);
-            // S/K of a machine on a Winkler foundation leaves the range of the arithmetic before a does, and the ratio with it.
-            if critical == a.lit(0) && matches!(self.control, Control::Machine { .. }) {
-                let log10 = a.ln().approx() * 2.0 * std::f64::consts::LOG10_E;
-                return Err(Error::OutOfRange { quantity: Quantity::Stiffness, log10 });
-            }
+        let critical = self.critical_ratio_at(a);
+        if critical != a.lit(0) {
             return Ok(self.tangency(a)? / critical);
+        }
+        // S/K of a machine on a Winkler foundation leaves the range of the arithmetic before a does, and the ratio with it.
+        if !self.adhesion.vanishes() && matches!(self.control, Control::Machine { .. }) {
+            let log10 = a.ln().approx() * 2.0 * std::f64::consts::LOG10_E;
+            return Err(Error::OutOfRange { quantity: Quantity::Stiffness, log10 });
         }
         let (slope, mean) = (self.transform.slope(a)?, self.transform.g(a)? / a);
         if slope != a.lit(0) {

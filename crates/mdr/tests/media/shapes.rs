@@ -68,3 +68,39 @@ fn a_sum_with_a_kink_breaks_where_its_force_is_least() {
     assert!((force(b) / least - 1.0).abs() < 1e-13, "{b} {least} {}", force(b));
     assert!(force(0.99 * b) > least && force(1.01 * b) > least);
 }
+
+/// r²/2R − br/R falls at the tip: on springs that do not couple d = f − √(2w/c) is least where f is, b²/2R below the tip. A
+/// flat breaks off at its edge, all at once.
+#[test]
+fn springs_at_grips_break_where_the_profile_is_lowest() {
+    let springs = "kind = \"winkler\"\nmodulus = 1";
+    let elongation = 0.02_f64.sqrt();
+    let displaced = "kind = \"displaced-paraboloid\"\nradius = 1\noffset = \"0.2\"";
+    for (shape, least) in [(displaced, 0.02), ("kind = \"flat-punch\"\nradius = \"0.2\"", 0.0)] {
+        let text = scene(springs, shape, GRIPS, "want = [\"folds\"]\narithmetic = \"f64\"");
+        let found = solve(&text);
+        let [fold] = found.folds().expect("wanted").items.as_slice() else { panic!("one fold: {text}") };
+        let [radius, depth] = [&fold.contact_radius, &fold.indentation].map(|value| value.to_f64().expect("a number"));
+        assert!((radius / 0.2 - 1.0).abs() < 1e-14 && (depth / (-least - elongation) - 1.0).abs() < 1e-14, "{text}");
+    }
+}
+
+/// Near the tip f of these is as small as the roundings of what it is a difference of: that it is no dimple is seen by its slope. The
+/// surfaces jump together at first touch.
+#[test]
+fn paths_of_heights_that_are_differences() {
+    let way = "kind = \"indentation\"\npath = [\"-1\", \"1/100\"]\nstart = \"detached\"";
+    for medium in [MEDIA[0], MEDIA[2]] {
+        for shape in [SHAPES[0], SHAPES[1]] {
+            let text = scene(medium, shape, way, "want = [\"path\"]\nenergies = \"no\"\ndigits = 15");
+            let answer = solve(&text);
+            let path = answer.path().expect("wanted");
+            let events: Vec<_> = path.events.items.iter().map(|event| event.event.name()).collect();
+            assert_eq!(
+                (path.events.promise, events.as_slice()),
+                (Promise::Certified, &["start", "jump-in", "end"][..]),
+                "{text}"
+            );
+        }
+    }
+}
