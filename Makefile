@@ -35,8 +35,8 @@ book: deps
 	cargo test --locked --test book
 	$${CARGO_TARGET_DIR:-target}/debug/mdr-book
 
-# The certified values once more, by Arb: installs python-flint below target/ if it can.
-confirm:
+# The certified values once more, by Arb, and their certificates: installs python-flint below target/ if it can.
+confirm: deps
 	@sh scripts/confirm.sh
 
 # The theorems of docs/proofs, by Coq: installs Debian's packages if it may.

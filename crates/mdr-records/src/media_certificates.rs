@@ -1,10 +1,9 @@
 //! Certificates of the records about folds on graded half-spaces, of line contacts and of waves.
 
-use mdr::prelude::{Arithmetic, Elasticity, ExactMedium, Grading, Literal, Profile, Scene, Shape, Want};
-use mdr_core::contact::Control;
+use mdr::prelude::Want;
 
-use crate::media::{FILES, Held, Question};
-use crate::{DIGITS, Failure, Result};
+use crate::Result;
+use crate::media::{FILES, Question};
 
 /// The formulas whose questions are folds.
 const FOLDS: [&str; 3] = ["graded-critical", "line-critical", "wave-fold"];
@@ -27,38 +26,5 @@ impl Question {
     pub(crate) fn certificate(&self) -> Result<String> {
         let scene = self.scene()?.want(Want::Folds { range: None });
         Ok(scene.certificate(&scene.solve()?)?)
-    }
-
-    fn scene(&self) -> Result<Scene> {
-        let (profile, medium) = match self.formula {
-            "graded-critical" => {
-                let stiffness = Grading::Coefficient(self.given("c")?);
-                (self.power()?, ExactMedium::Graded { exponent: self.given("chi")?, stiffness })
-            }
-            "line-critical" => (self.power()?, ExactMedium::Plane { reference: None }),
-            _ => {
-                let wavelength = self.given("lambda")?;
-                (Profile::Wave(self.given("h0")?), ExactMedium::Periodic { wavelength, flaw: None })
-            }
-        };
-        let control = match self.held {
-            Some(Held::Machine) => Control::Machine { stiffness: self.given("k")? },
-            Some(Held::Force) => Control::Force,
-            _ => Control::Indentation,
-        };
-        // Unused on a graded half-space.
-        let modulus = self.given("E*").unwrap_or_else(|_| 1.into());
-        let scene = Scene::new(profile, Elasticity::Effective(modulus), &self.given("w")?)?.medium(medium)?;
-        Ok(scene.control(control).arithmetic(Arithmetic::Certified { digits: DIGITS }))
-    }
-
-    fn power(&self) -> Result<Profile> {
-        Ok(Profile::Shape(Shape::Power { n: self.given("n")?, c: self.given("C")? }))
-    }
-
-    /// An input.
-    fn given(&self, key: &'static str) -> Result<Literal> {
-        let found = self.literals().find(|(name, _)| *name == key);
-        found.map(|(_, literal)| literal).ok_or(Failure::Missing(key))
     }
 }

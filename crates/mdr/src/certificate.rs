@@ -13,13 +13,13 @@ use mdr_core::contact::{Control, Flank, Shape};
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::path::{EventKind, Start as PathStart};
 use mdr_numeric::proof::{ProvedBranches, Trend};
-use rug::{Float, Rational};
+use rug::Float;
 use serde_json::{Map, Value, json};
 
 use crate::answer::{Answer, PathEvent, Promise};
 use crate::error::{Error, Result};
 use crate::run::Stop;
-use crate::scene::{ExactMedium, Grading, Profile, Scene};
+use crate::scene::{ExactMedium, Profile, Scene};
 use crate::solve::certified::Certified;
 use crate::solve::proof::{Enclosed, FoldProof};
 
@@ -125,12 +125,7 @@ impl Scene {
     /// foundation at fixed grips, where Δl is constant, there is none.
     fn cells_of_law(&self, radii: &[Float]) -> Option<Vec<Value>> {
         let [n, _] = self.profile.exact_power_law(Literal::to_rational)?;
-        let threshold = match self.pressed_into() {
-            ExactMedium::Graded { exponent, .. } => (1 - exponent.to_rational()) / 2u32,
-            ExactMedium::Winkler { .. } => Rational::new(),
-            ExactMedium::HalfSpace | ExactMedium::Plane { reference: None } => Rational::from((1, 2)),
-            ExactMedium::Plane { .. } | ExactMedium::Periodic { .. } => return None,
-        };
+        let threshold = self.pressed_into().threshold()?;
         let trend = match n.to_rational().cmp(&threshold) {
             Ordering::Greater if threshold.is_zero() && self.control == Control::Indentation => Trend::Rises,
             Ordering::Greater => Trend::Minimum,
@@ -234,23 +229,21 @@ fn largest(radii: &[Float]) -> Option<&Float> {
 
 /// The medium with its exact numbers, but for its modulus E*; `None` of a half-space.
 fn medium_in_words(medium: &ExactMedium) -> std::result::Result<Option<Value>, &'static str> {
-    let numbers: Vec<(&str, &Literal)> = match medium {
-        ExactMedium::HalfSpace => return Ok(None),
-        ExactMedium::Graded { exponent, stiffness: Grading::Coefficient(c) } => {
-            vec![("exponent", exponent), ("coefficient", c)]
-        }
-        ExactMedium::Graded { .. } => {
-            return Err(
-                "a certificate has c of a graded half-space as a number; give coefficient in place of modulus and depth",
-            );
-        }
-        ExactMedium::Winkler { modulus } => vec![("modulus", modulus)],
-        ExactMedium::Plane { reference } => reference.iter().map(|reference| ("reference", reference)).collect(),
-        ExactMedium::Periodic { wavelength, .. } => vec![("wavelength", wavelength)],
-    };
+    if medium.is_half_space() {
+        return Ok(None);
+    }
+    let numbers = medium.numbers();
+    if numbers.iter().any(|(key, _)| *key == "medium.depth") {
+        return Err(
+            "a certificate has c of a graded half-space as a number; give coefficient in place of modulus and depth",
+        );
+    }
     let mut words = Map::new();
     words.insert("kind".to_owned(), json!(medium.name()));
-    words.extend(numbers.into_iter().map(|(key, number)| (key.to_owned(), json!(number.to_string()))));
+    // A flaw plays no part in what a certificate says.
+    for (key, number) in numbers.into_iter().filter(|(key, _)| *key != "medium.flaw") {
+        words.insert(key.trim_start_matches("medium.").to_owned(), json!(number.to_string()));
+    }
     Ok(Some(Value::Object(words)))
 }
 
@@ -295,9 +288,7 @@ fn describe(
         Profile::Table(_) => return Err("a certificate speaks of formulas, not of measured rows"),
         Profile::Function(_) => return Err("a certificate speaks of formulas, not of closures"),
         Profile::Wave(amplitude) => {
-            let ExactMedium::Periodic { wavelength, .. } = medium else {
-                return Err("a wave is on a periodic medium");
-            };
+            let wavelength = medium.period().ok_or("a wave is on a periodic medium")?;
             let parameters = json!({"h": amplitude.to_string(), "l": wavelength.to_string()});
             terms.push(json!({"f": "h*(1 - cos(2*pi*r/l))", "parameters": parameters}));
         }

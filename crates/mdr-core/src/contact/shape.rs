@@ -325,6 +325,18 @@ impl<N> Shape<N> {
         matches!(self, Shape::ConeParabolicCap { .. } | Shape::ConeSphericalCap { .. })
     }
 
+    /// The exponent of the power of r that a shape is up to some radius, and that radius: of a parabolic cap. `None` of other shapes,
+    /// and of those that are a sum of powers everywhere.
+    ///
+    /// ```
+    /// use mdr_core::contact::{Flank, Shape};
+    /// let capped = Shape::ConeParabolicCap { flank: Flank::Slope(0.3), cap: 1e-6 };
+    /// assert_eq!(capped.law_at_tip(), Some((2, &1e-6)));
+    /// ```
+    pub fn law_at_tip(&self) -> Option<(u32, &N)> {
+        if let Shape::ConeParabolicCap { cap, .. } = self { Some((2, cap)) } else { None }
+    }
+
     /// The exponents n and coefficients C of f = Σ C rⁿ, where the shape is such a sum.
     ///
     /// ```

@@ -171,11 +171,13 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
         let admissibility = certified.admissibility()?;
         let refined = |fold: &contact::Fold<Interval>| Ok(judged(&enclosed.value, curve.refine(fold)?, &admissibility));
         let refined: Result<Vec<Fold<Interval>>> = folds.proved.folds.iter().map(refined).collect();
-        let mut folds = refined?.convert(Enclosure::from);
-        if certified.scene.breaks_at_zero_depth() {
-            folds.iter_mut().for_each(|fold| fold.indentation = proof::exactly(&0.into()));
+        let mut records = refined?.convert(Enclosure::from);
+        for (record, fold) in records.iter_mut().zip(&folds.proved.folds) {
+            if certified.scene.breaks_at_zero_depth(&fold.contact_radius) {
+                record.indentation = proof::exactly(&0.into());
+            }
         }
-        Ok(folds)
+        Ok(records)
     })?;
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
 }

@@ -75,6 +75,23 @@ pub enum Grading {
 }
 
 impl ExactMedium {
+    /// The exponent n of the power laws whose g grows as Δl does; `None` where neither is a power of the contact radius.
+    #[cfg(feature = "mp")]
+    pub(crate) fn threshold(&self) -> Option<rug::Rational> {
+        Some(match self {
+            ExactMedium::HalfSpace | ExactMedium::Plane { reference: None } => (1, 2).into(),
+            ExactMedium::Graded { exponent, .. } => (1 - exponent.to_rational()) / 2u32,
+            ExactMedium::Winkler { .. } => rug::Rational::new(),
+            ExactMedium::Plane { .. } | ExactMedium::Periodic { .. } => return None,
+        })
+    }
+
+    /// λ of a periodic medium.
+    #[cfg(feature = "mp")]
+    pub(crate) fn period(&self) -> Option<&Literal> {
+        if let ExactMedium::Periodic { wavelength, .. } = self { Some(wavelength) } else { None }
+    }
+
     /// The name of the kind in a scene.
     pub fn name(&self) -> &'static str {
         match self {
@@ -231,7 +248,7 @@ impl ExactMedium {
     }
 
     /// Its numbers with the keys they have in a scene.
-    pub(super) fn numbers(&self) -> Vec<(&'static str, &Literal)> {
+    pub(crate) fn numbers(&self) -> Vec<(&'static str, &Literal)> {
         match self {
             ExactMedium::HalfSpace => Vec::new(),
             ExactMedium::Graded { exponent, stiffness } => {

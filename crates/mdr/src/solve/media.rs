@@ -153,10 +153,10 @@ impl Scene {
         !self.is_closed() && self.is_enclosed()
     }
 
-    /// Whether the fold under a dead load is at the depth 0, exactly: that of a power n = (3 + k)/2, such as a paraboloid on a
-    /// Winkler foundation.
+    /// Whether the fold at this contact radius under a dead load is at the depth 0, exactly: that of a power n = (3 + k)/2, such as a
+    /// paraboloid, or the parabolic cap of a cone, on a Winkler foundation.
     #[cfg(feature = "mp")]
-    pub(crate) fn breaks_at_zero_depth(&self) -> bool {
+    pub(crate) fn breaks_at_zero_depth(&self, radius: &Interval) -> bool {
         let k = match &self.medium {
             ExactMedium::Graded { exponent, .. } => exponent.to_rational(),
             ExactMedium::Winkler { .. } => 1.into(),
@@ -164,7 +164,12 @@ impl Scene {
         };
         let order = (k + 3u32) / 2u32;
         let law = self.profile.exact_power_law(Literal::to_rational);
-        let has_order = law.is_some_and(|[n, _]| n.to_rational() == order);
+        let has_order = match &self.profile {
+            Profile::Shape(shape) if law.is_none() => {
+                shape.law_at_tip().is_some_and(|(n, end)| order == n && *radius.upper() < end.to_rational())
+            }
+            _ => law.is_some_and(|[n, _]| n.to_rational() == order),
+        };
         self.control == mdr_core::contact::Control::Force && has_order
     }
 

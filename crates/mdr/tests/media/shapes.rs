@@ -104,3 +104,15 @@ fn paths_of_heights_that_are_differences() {
         }
     }
 }
+
+/// Under a dead load a paraboloid, also one that is the cap of a cone, breaks off springs that do not couple at the depth 0.
+#[test]
+fn a_parabolic_cap_breaks_at_zero_depth() {
+    let cone = "kind = \"cone-parabolic-cap\"\nslope = \"0.2\"\ncap = 2";
+    let folds = solve(&scene(MEDIA[2], cone, LOAD, "want = [\"folds\"]"));
+    let [fold] = folds.folds().expect("wanted").items.as_slice() else { panic!("one fold") };
+    // f = t r²/2b is Δl at the depth 0: a = √(2bΔl/t).
+    let radius = (20.0 * 0.02_f64.sqrt()).sqrt();
+    assert!((fold.contact_radius.to_f64().expect("a number") / radius - 1.0).abs() < 1e-14);
+    assert_eq!((fold.indentation.to_f64(), fold.indentation.status()), (Some(0.0), Status::Ok));
+}

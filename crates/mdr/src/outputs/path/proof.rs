@@ -142,7 +142,9 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
             {
                 set_exact(record, event, &scene.control, literal);
             }
-            if event.fold.is_some() && event.before.contact().is_some() && scene.breaks_at_zero_depth() {
+            if let (Some(_), Some(fold)) = (event.fold, event.before.contact())
+                && scene.breaks_at_zero_depth(&fold.contact_radius)
+            {
                 record.indentation = Some(exactly(&0.into()));
             }
         }
