@@ -223,23 +223,22 @@ pub fn onset<R: Real>(curve: &Contact<R>, first: Option<&Fold<R>>) -> Result<Fir
     Ok(if stable { FirstContact::Smooth } else { FirstContact::Abrupt })
 }
 
-/// Whether g falls from its value 0 at the tip, by its sign at a radius close to it. Where g is as small as the roundings of what it is
-/// a difference of, as r² is in R − √(R² − r²), its slope tells.
+/// Whether g falls from its value 0 at the tip, by its sign at a radius close to it; `None` where that is open. Where g is lost in the
+/// roundings of a difference, as r² is in R − √(R² − r²), the sign of g' decides.
 fn begins_below<R: Real>(transform: &dyn Transform<R>, close: &R) -> Result<Option<bool>> {
-    let sign = |value: R| match value.partial_cmp(&value.lit(0)) {
-        None => (value >= value.lit(0)).then_some(Ordering::Greater),
-        order => order,
+    let is_negative = |value: R| {
+        let zero = value.lit(0);
+        if value < zero { Some(true) } else { (value >= zero).then_some(false) }
     };
-    let of_value = match transform.g(close) {
-        Ok(g) => sign(g),
+    let by_value = match transform.g(close) {
+        Ok(g) => is_negative(g),
         Err(Error::Unproved { .. } | Error::NoConvergence { .. }) => None,
         Err(error) => return Err(error),
     };
-    let order = match of_value {
-        None => sign(transform.slope(close)?),
-        order => order,
-    };
-    Ok(order.map(|order| order == Ordering::Less))
+    Ok(match by_value {
+        None => is_negative(transform.slope(close)?),
+        known => known,
+    })
 }
 
 /// The error for an equilibrium outside the searched range of contact radii.

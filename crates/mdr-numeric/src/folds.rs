@@ -190,7 +190,7 @@ fn edge_within<R: Real>(crossing: &Crossing<R>, curve: &Contact<R>, kinks: &[R])
     within.find(|kink| singular(kink)).cloned()
 }
 
-/// The radius of the fold at a crossing; where folds are where g' = 0, exactly the end of a flat.
+/// The radius of the fold at a crossing. If folds lie where g' = 0, that of a flat is exactly its end.
 fn radius_of<R: Real>(
     crossing: &Crossing<R>,
     curve: &Contact<R>,

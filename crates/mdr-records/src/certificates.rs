@@ -35,7 +35,8 @@ pub fn certificates() -> std::result::Result<(String, Vec<String>), RecordError>
     }
     let (mut lines, mut without) = (String::new(), Vec::new());
     let of_cases = questions.par_iter().map(|question| (question.case.name.as_str(), question.certificate()));
-    let of_media = media_certificates::contacts();
+    let of_media = media_certificates::contacts()
+        .map_err(|source| RecordError { case: "media_scenes.toml".to_owned(), source })?;
     let of_media = of_media.par_iter().map(|question| (question.name, question.certificate()));
     for (name, certificate) in of_cases.chain(of_media).collect::<Vec<_>>() {
         match certificate {

@@ -4,7 +4,6 @@
 //! Their values are closed forms of `mdr-analytic` over intervals; the second method has the heights f and the kernel of the
 //! medium or the weight of its transform, by quadrature. Conditions are differences that a small change of each input makes.
 
-use mdr::prelude::{Arithmetic, Elasticity, ExactMedium, Grading, Profile, Scene, Shape};
 use mdr_analytic::media::{
     GradedContact, GradedHalfSpace, JohnsonWave, LineContact, WaveControl, graded_threshold,
     least_compliance_for_complete_contact, line_threshold, wave_energy_threshold, wave_load_threshold,
@@ -41,7 +40,7 @@ pub(crate) enum Held {
 }
 
 impl Held {
-    fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Held::Indentation => "indentation",
             Held::Force => "force",
@@ -215,7 +214,7 @@ impl Question {
         self.literals().map(|(_, literal)| R::from_literal(precision, &literal)).collect()
     }
 
-    pub(crate) fn literals(&self) -> impl Iterator<Item = (&'static str, Literal)> {
+    fn literals(&self) -> impl Iterator<Item = (&'static str, Literal)> {
         self.inputs.iter().filter_map(|(name, text)| Some((*name, text.parse().ok()?)))
     }
 
@@ -365,39 +364,5 @@ impl Question {
             Some("loop") => "Popov (1.8)",
             _ => "Johnson 1995",
         }
-    }
-
-    /// The contact as a scene without outputs.
-    pub(crate) fn scene(&self) -> Result<Scene> {
-        let (profile, medium) = match self.formula {
-            "graded-critical" => {
-                let stiffness = Grading::Coefficient(self.given("c")?);
-                (self.power()?, ExactMedium::Graded { exponent: self.given("chi")?, stiffness })
-            }
-            "line-critical" => (self.power()?, ExactMedium::Plane { reference: None }),
-            _ => {
-                let wavelength = self.given("lambda")?;
-                (Profile::Wave(self.given("h0")?), ExactMedium::Periodic { wavelength, flaw: None })
-            }
-        };
-        let control = match self.held {
-            Some(Held::Machine) => Control::Machine { stiffness: self.given("k")? },
-            Some(Held::Force) => Control::Force,
-            _ => Control::Indentation,
-        };
-        // Unused on a graded half-space.
-        let modulus = self.given("E*").unwrap_or_else(|_| 1.into());
-        let scene = Scene::new(profile, Elasticity::Effective(modulus), &self.given("w")?)?.medium(medium)?;
-        Ok(scene.control(control).arithmetic(Arithmetic::Certified { digits: DIGITS }))
-    }
-
-    fn power(&self) -> Result<Profile> {
-        Ok(Profile::Shape(Shape::Power { n: self.given("n")?, c: self.given("C")? }))
-    }
-
-    /// An input.
-    fn given(&self, key: &'static str) -> Result<Literal> {
-        let found = self.literals().find(|(name, _)| *name == key);
-        found.map(|(_, literal)| literal).ok_or(Failure::Missing(key))
     }
 }

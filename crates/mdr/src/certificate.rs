@@ -27,7 +27,7 @@ use crate::solve::proof::{Enclosed, FoldProof};
 const SCHEMA: &str = "mdr.certificate/1";
 /// How far the cells of a certificate extend beyond the contact radii of the answer.
 const REACH: f64 = 16.0;
-/// Bits in which cells are laid out; those of a half-width that ends one, which may be close to half of a period.
+/// Bits of the ends of cells on a periodic medium: a half-width may be so close to half of a period that no double tells them apart.
 const HALF_WIDTH: u32 = 96;
 
 impl Scene {
@@ -76,7 +76,10 @@ impl Scene {
         certificate.extend(self.contact_in_words()?);
         certificate.insert("digits".to_owned(), json!(answer.arithmetic.digits()));
         let radii = radii(&outputs).ok_or_else(|| {
-            refuse("output.want", "a certificate has every contact radius as a number, without log10")
+            refuse(
+                "output.want",
+                "a certificate needs every contact radius as a number, and one is known by its logarithm alone",
+            )
         })?;
         let cells = self.cells(&radii)?;
         let range = [cells.first().map(|cell| &cell["from"]), cells.last().map(|cell| &cell["to"])];
@@ -147,7 +150,7 @@ impl Scene {
         }
         let doubles: Vec<f64> = radii.iter().map(Float::to_f64).collect();
         if !doubles.iter().all(|a| a.is_normal()) {
-            let why = "a certificate has every contact radius in the range of f64, but for a power law at fixed grips or a dead load";
+            let why = "a certificate needs contact radii in the range of f64, except for a power law at fixed grips or under a dead load";
             return Err(self.places.of("output.want").refuse(why.to_owned()));
         }
         let counts = Stop::default().counts();

@@ -325,8 +325,8 @@ impl<N> Shape<N> {
         matches!(self, Shape::ConeParabolicCap { .. } | Shape::ConeSphericalCap { .. })
     }
 
-    /// The exponent of the power of r that a shape is up to some radius, and that radius: of a parabolic cap. `None` of other shapes,
-    /// and of those that are a sum of powers everywhere.
+    /// The exponent of the power law that a shape follows near its tip only, and the radius up to which it does: 2 and the radius of the
+    /// cap for a cone with a parabolic cap. `None` for other shapes; [`Shape::powers`] has those that are powers everywhere.
     ///
     /// ```
     /// use mdr_core::contact::{Flank, Shape};

@@ -41,8 +41,8 @@ const HALF_WAY: f64 = 32.0;
 const HALVINGS: usize = 44;
 /// Fractions of a piece at which the gap is sampled, apart from the ends of the interval.
 const SAMPLES: [f64; 4] = [0.15, 0.5, 0.85, 1.0];
-/// The share of a gap by which its neighbours exceed it in a valley that is refined: on hundreds of octaves of a constant gap,
-/// rounding makes a valley of each sample.
+/// A sample is refined only if a neighbour exceeds it by more than this share: rounding makes a valley of each sample of a gap that is
+/// constant over hundreds of octaves.
 const FLAT: f64 = 1e-9;
 
 impl Terrain {

@@ -70,8 +70,8 @@ impl Terrain {
         nodes.as_ref().map(Vec::as_slice).map_err(Clone::clone)
     }
 
-    /// ∫ (g − d)/√(r² − x²) dx over a part of (0, r), octave by octave in the angle arccos(x/r). What lies further in than
-    /// [`OCTAVES`] below the upper end is taken as one part: the weight of its radii is that of 2⁻⁴⁰ of the whole.
+    /// ∫ (g − d)/√(r² − x²) dx over a part of (0, r), octave by octave in the angle arccos(x/r). Radii more than
+    /// [`OCTAVES`] octaves below the upper end are one part, with some 2⁻⁴⁰ of the weight.
     fn afresh(&self, from: f64, to: f64, d: f64, r: f64) -> Result<f64> {
         let innermost = to * 2f64.powi(-OCTAVES);
         let mut ends = in_octaves(&[from.max(innermost), to]);

@@ -3,9 +3,9 @@
 use mdr_analytic::Kappa;
 use mdr_analytic::profiles::{Sum, closed_form};
 use mdr_analytic::struve::Struve;
-#[cfg(feature = "mp")]
-use mdr_core::contact::EnclosedFormula;
 use mdr_core::contact::{Body, Error, Quantity, Result, Transform};
+#[cfg(feature = "mp")]
+use mdr_core::contact::{Control, EnclosedFormula};
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, Precision};
 use mdr_core::number::{Literal, Special};
@@ -157,20 +157,18 @@ impl Scene {
     /// paraboloid, or the parabolic cap of a cone, on a Winkler foundation.
     #[cfg(feature = "mp")]
     pub(crate) fn breaks_at_zero_depth(&self, radius: &Interval) -> bool {
-        let k = match &self.medium {
-            ExactMedium::Graded { exponent, .. } => exponent.to_rational(),
-            ExactMedium::Winkler { .. } => 1.into(),
-            _ => return false,
-        };
-        let order = (k + 3u32) / 2u32;
+        if self.medium.is_half_space() || !self.medium.has_depth() || self.control != Control::Force {
+            return false;
+        }
+        // (3 + k)/2 is 2 less the threshold (1 − k)/2.
+        let Some(order) = self.medium.threshold().map(|threshold| 2 - threshold) else { return false };
         let law = self.profile.exact_power_law(Literal::to_rational);
-        let has_order = match &self.profile {
+        match &self.profile {
             Profile::Shape(shape) if law.is_none() => {
                 shape.law_at_tip().is_some_and(|(n, end)| order == n && *radius.upper() < end.to_rational())
             }
             _ => law.is_some_and(|[n, _]| n.to_rational() == order),
-        };
-        self.control == mdr_core::contact::Control::Force && has_order
+        }
     }
 
     /// The rows of a table, where its transform is measured exactly: on a half-space.
