@@ -87,7 +87,7 @@ impl ExactMedium {
     }
 
     /// λ of a periodic medium.
-    #[cfg(feature = "mp")]
+    #[cfg(all(feature = "mp", feature = "serde"))]
     pub(crate) fn period(&self) -> Option<&Literal> {
         if let ExactMedium::Periodic { wavelength, .. } = self { Some(wavelength) } else { None }
     }
