@@ -3,12 +3,14 @@
 #![allow(clippy::unwrap_used, reason = "in a test a panic is a verdict")]
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use mdr_core::calculus::quadrature::tanh_sinh_near_ends;
-use mdr_core::contact::{Control, Shape, Transform};
+use mdr_core::contact::{Control, CountingTransform, EvaluationCounter, Shape, Transform};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::energy::Energy;
 use mdr_numeric::fields::Fields;
+use mdr_numeric::folds::{self, SearchQuality};
 use mdr_numeric::medium::{Adhesion, Medium};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::{LineLoad, Powers, Quadrature, Wave, Weighted};
@@ -226,5 +228,18 @@ fn ring_in_many_digits() {
     for (found, expected) in found.into_iter().zip(expected) {
         let error = ((found.clone() - number(expected)) / number(expected)).abs();
         assert!(error < 1e-19, "{found} {expected}");
+    }
+}
+
+/// At fixed grips the folds on springs are where g' = 0. Below the range of doubles nothing of a power law is searched.
+#[test]
+fn springs_at_grips_are_searched_in_few_evaluations() {
+    for n in [0.3, 1.0, 1.5, 2.0, 4.0] {
+        let tally = Arc::new(EvaluationCounter::default());
+        let counted = CountingTransform::new(Box::new(Powers::winkler([(n, 0.5)]).unwrap()), &tally);
+        let found = folds::find(&contact(counted, Medium::winkler(1.0).unwrap())).unwrap();
+        assert!(found.is_empty() && found.completeness == SearchQuality::Resolved, "n = {n}: {found:?}");
+        let evaluations = tally.read();
+        assert!(evaluations.slope < 4000, "n = {n}: {evaluations:?}");
     }
 }

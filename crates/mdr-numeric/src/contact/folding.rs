@@ -33,16 +33,23 @@ impl<R: Real> Contact<R> {
             let log10 = a.ln().approx() * 2.0 * std::f64::consts::LOG10_E;
             return Err(Error::OutOfRange { quantity: Quantity::Stiffness, log10 });
         }
-        let (slope, mean) = (self.transform.slope(a)?, self.transform.g(a)? / a);
-        if slope != a.lit(0) {
-            let sine = ((mean / &slope).square() + a.lit(1)).sqrt().inv();
-            return Ok(a.lit(1) + if slope > a.lit(0) { sine } else { -sine });
+        let (slope, height) = (self.transform.slope(a)?, self.transform.g(a)?);
+        let has_digits = |x: &R| a.unit_roundoff().square() * x.abs() > a.lit(0);
+        if !has_digits(&(slope.clone() * a)) && !has_digits(&height) {
+            // A flat is neutral and comes to rest at its end. What rises from the tip on is there below the range of the arithmetic.
+            return match self.flat()? {
+                Some(end) => Ok(a.lit(if *a < end { 0 } else { 2 })),
+                None => {
+                    let log10 = a.ln().approx() * std::f64::consts::LOG10_E;
+                    Err(Error::OutOfRange { quantity: Quantity::Indentation, log10 })
+                }
+            };
         }
-        if mean != slope {
+        if slope == a.lit(0) {
             return Ok(a.lit(1));
         }
-        // A flat is neutral and comes to rest at its end. Below the range of the arithmetic a profile that rises has g = 0 as well.
-        Ok(a.lit(if self.flat()?.is_some_and(|end| *a < end) { 0 } else { 2 }))
+        let sine = ((height / a / &slope).square() + a.lit(1)).sqrt().inv();
+        Ok(a.lit(1) + if slope > a.lit(0) { sine } else { -sine })
     }
 
     /// The radius up to which g = 0 from the tip on, and nowhere beyond: surfaces without adhesion touch on all of it at d = 0.
