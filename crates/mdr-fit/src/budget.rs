@@ -46,8 +46,14 @@ pub(super) fn column(objective: &Objective<'_>, minimum: &Minimum, index: usize)
     let own = freed.free.iter().position(|free| *free == index)?;
     let mut fitted = minimum.fitted.clone();
     fitted.insert(own, freed.to_fitted(own, problem.parameters[index].value?));
-    let evaluation = freed.evaluate(&fitted, Some(&minimum.evaluation)).ok()?;
-    let jacobian = freed.jacobian(&fitted, &evaluation).ok()?;
+    let kind = freed.kind(own);
+    // Only a number of the profile needs a transform with its derivatives.
+    let seeded = match kind {
+        Kind::Profile(_) => Some(freed.evaluate(&fitted, Some(&minimum.evaluation)).ok()?),
+        _ => None,
+    };
+    let evaluation = seeded.as_ref().unwrap_or(&minimum.evaluation);
+    let jacobian = freed.derivatives(&fitted, evaluation, &[(own, kind)]).ok()?;
     (jacobian.nrows() == minimum.jacobian.nrows()).then(|| jacobian.column(own).clone_owned())
 }
 

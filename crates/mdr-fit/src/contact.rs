@@ -7,6 +7,7 @@ use mdr_analytic::Kappa;
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Control, Edge, Result, Transform};
 use mdr_core::number::{Dual, Literal, Real, Special};
+use mdr_numeric::contact::Input;
 use mdr_numeric::medium::Adhesion;
 
 use super::observation::Observation;
@@ -236,8 +237,9 @@ impl<R: Special> Springs<R> {
                 });
             }
             let elongation = (a.pi().times(2) * a * work / e_star).sqrt();
-            let slope = elongation.clone() / &a.clone().times(2);
-            let curvature = -(elongation.clone() / &a.square().times(4));
+            let twice = a.clone().times(2);
+            let slope = elongation.clone() / &twice;
+            let curvature = -(slope.clone() / &twice);
             return Ok(Springs {
                 factor: e_star.clone().times(2),
                 stiffness: [a.clone(), a.lit(1), a.lit(0)],
@@ -415,20 +417,21 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
         Ok([x + more_x, y + more_y])
     }
 
-    /// ∂(d, F, a) by the motion of a pinned edge: along F = S d − ∫S'g, from d = g(a) − Δl(a) on.
+    /// ∂(d, F, a) by the motion of a pinned edge, or of a vertical one.
     fn pinned_partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 3]> {
         let Point { a, d, springs, .. } = point;
-        let zero = || a.lit(0);
         let speed = match &self.pinned {
-            Some(speeds) if point.beyond_edge => speeds.iter().find(|(of, _)| *of == kind).map(|(_, speed)| speed),
-            _ => None,
+            _ if !point.beyond_edge => None,
+            Some(speeds) => speeds.iter().find(|(of, _)| *of == kind).map(|(_, speed)| speed.clone()),
+            None => self.tip.seeded(kind).and_then(|dual| dual.outer_radius()).map(|edge| edge.slope),
         };
-        let Some(speed) = speed else { return Ok([zero(), zero(), zero()]) };
+        let Some(speed) = speed.filter(|speed| *speed != a.lit(0)) else { return Ok([a.lit(0), a.lit(0), a.lit(0)]) };
+        // Along F = S d − ∫S'g, from d = g(a) − Δl(a) on.
         let transform = &self.tip.transform;
         let Springs { factor, stiffness: [stiffness, slope, _], elongation: [_, change, _] } = springs;
         let d_slope = transform.slope(a)? - change;
         let f_slope = ((d.clone() - &transform.g(a)?) * slope + stiffness.clone() * &d_slope) * factor;
-        Ok([d_slope * speed, f_slope * speed, speed.clone()])
+        Ok([d_slope * &speed, f_slope * &speed, speed])
     }
 
     /// Δl of a contact of this radius.
@@ -442,33 +445,17 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
 
     /// ∂(d, F, a) at a fixed parameter of the curve.
     pub(super) fn state_partial(&self, kind: Kind, point: &Point<R>) -> Result<[R; 3]> {
-        let Point { a, above_mean, springs, .. } = point;
-        let Springs { factor, stiffness: [stiffness, slope, _], elongation: [elongation, change, _] } = springs;
-        let half = elongation.clone().over(2);
-        // Both Δl and the force of the springs at the edge change with a factor of the modulus.
-        let lever = factor.clone() * stiffness * &half;
-        let fixed = match kind {
-            Kind::EffectiveModulus => [half, lever + &point.f, a.lit(0)],
-            kind if self.has_work(kind) => [-half, -lever, a.lit(0)],
-            Kind::Profile(_) => {
-                let Some(dual) = self.tip.seeded(kind) else { return Ok([a.lit(0), a.lit(0), a.lit(0)]) };
-                // At a vertical edge the contact radius is a number of the profile.
-                let at_edge = if point.beyond_edge && self.pinned.is_none() { dual.outer_radius() } else { None };
-                let radius = at_edge.unwrap_or_else(|| Dual::constant(a.clone()));
-                let moved = radius.slope.clone();
-                let d = dual.g(&radius)?.slope - change.clone() * &moved;
-                let shift = d.clone() - &dual.mean(&radius)?.slope;
-                let f = (moved.clone() * slope * above_mean + stiffness.clone() * &shift) * factor;
-                [d, f, moved]
-            }
-            _ => [a.lit(0), a.lit(0), a.lit(0)],
+        let Point { a, springs: Springs { factor, stiffness: [stiffness, ..], elongation: [elongation, ..] }, .. } =
+            point;
+        let input = match kind {
+            Kind::EffectiveModulus => Some(Input::Modulus),
+            kind if self.has_work(kind) => Some(Input::WorkOfAdhesion),
+            kind => self.tip.seeded(kind).map(|dual| Input::Profile(dual.as_ref())),
         };
-        if self.pinned.is_none() {
-            return Ok(fixed);
-        }
-        let [d, f, moved] = fixed;
-        let [more_d, more_f, more_a] = self.pinned_partial(kind, point)?;
-        Ok([d + more_d, f + more_f, moved + more_a])
+        let fixed = |input: Input<'_, R>| input.partials(a, &(factor.clone() * stiffness), elongation, &point.f);
+        let [d, f] = input.map_or_else(|| Ok([a.lit(0), a.lit(0)]), fixed)?;
+        let [more_d, more_f, moved] = self.pinned_partial(kind, point)?;
+        Ok([d + more_d, f + more_f, moved])
     }
 
     /// The second derivatives of X and Y with respect to the parameter of the curve.

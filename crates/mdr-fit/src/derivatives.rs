@@ -14,14 +14,26 @@ impl Objective<'_> {
     /// # Errors
     /// Errors of the transform.
     pub(super) fn jacobian(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
+        self.derivatives(fitted, evaluation, &self.moving(fitted))
+    }
+
+    /// The derivatives with respect to some of the free numbers, by their places; zero in all other columns.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn derivatives(
+        &self,
+        fitted: &[f64],
+        evaluation: &Evaluation,
+        moving: &[(usize, Kind)],
+    ) -> Result<DMatrix<f64>> {
         let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), self.free.len());
-        let moving = self.moving(fitted);
         let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
         let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
         for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
             let Some(foot) = foot else {
                 let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
-                for (place, kind) in &moving {
+                for (place, kind) in moving {
                     let own = f64::from(u8::from(*kind == Kind::Baseline));
                     jacobian[(index, *place)] = slope * (own + evaluation.numbers.trend_partial(*kind, row)[1]);
                 }
@@ -32,7 +44,7 @@ impl Objective<'_> {
             let slope = self.loss(foot.residual)[1];
             let Some(arc) = evaluation.arc(row, evaluation.labels[index]) else { continue };
             let is_pinned = point.beyond_edge && contact.pinned.is_some();
-            for (place, kind) in &moving {
+            for (place, kind) in moving {
                 // What holds a pinned edge does not show: not even in rounding, which would be a direction of its own.
                 if is_pinned && !foot.is_end && *kind == Kind::Work(Edge::Receding) {
                     continue;
@@ -52,7 +64,7 @@ impl Objective<'_> {
         let mut fold = |index: usize, sheet: usize, s: f64, unit: f64, row: Option<&DataRow>| -> Result<()> {
             let contact = &contacts[sheet];
             let point = contact.point(&s)?;
-            for (place, kind) in &moving {
+            for (place, kind) in moving {
                 let speed = arcs::end_speed(contact, *kind, &point)?;
                 let trend = row.map_or(0.0, |row| evaluation.numbers.trend_partial(*kind, row)[0]);
                 jacobian[(index, *place)] =

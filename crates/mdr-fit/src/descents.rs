@@ -4,7 +4,7 @@ use mdr_core::contact::Shape;
 
 use super::arcs::Arc;
 use super::minimise::{self, Minimum, Precision};
-use super::objective::{AtFold, Objective};
+use super::objective::{AtFold, Evaluation, Objective};
 use super::parameter::Kind;
 use super::start::{self, Source};
 use super::warnings::ALIKE;
@@ -39,6 +39,9 @@ const HOPELESS: f64 = 50.0;
 /// How many evaluations the first descents take for each free number: from a start that may be far off, and from the data.
 const PATIENCE: [usize; 2] = [30, 8];
 
+/// The share of a sum of squares within which two descents on a part of the rows are at one place.
+const KNOWN: f64 = 1e-4;
+
 /// How many minima are followed to the end, and how much larger their sum of squares may be: by a share and by a number of variances.
 const FOLLOWED: usize = 4;
 const NEAR: [f64; 2] = [1.5, 20.0];
@@ -66,7 +69,7 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
     let dof = degrees_of_freedom(objective);
     let enough = if is_stated { (dof + (2.0 * dof).sqrt()) * objective.noise.unit.powi(2) } else { GOOD * dof };
     let has_start = objective.problem.parameters.iter().any(|parameter| parameter.start.is_some());
-    let mut search = Search { tried: Vec::new(), evaluations: 0, failure: None };
+    let mut search = Search { tried: Vec::new(), begun: Vec::new(), passed: Vec::new(), evaluations: 0, failure: None };
     let mut sources = sources.to_vec();
     if matches!(objective.problem.profile, Profile::Shape(Shape::WavyParaboloid { .. }) | Profile::Formula(_)) {
         // A curve of many arcs has its folds searched anew at each step from a poor start: the search, which knows them, goes first.
@@ -85,7 +88,8 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
             let good =
                 search.tried.iter().map(|attempt| attempt.cost).filter(|cost| *cost < enough).fold(f64::NAN, f64::min);
             let cost = || objective.evaluate(&start, None).map_or(f64::INFINITY, |evaluation| evaluation.cost());
-            if source != Source::Record || good.is_nan() || cost() < HOPELESS * (good + dof) {
+            let is_begun = search.begun.contains(&(start.clone(), true));
+            if !is_begun && (source != Source::Record || good.is_nan() || cost() < HOPELESS * (good + dof)) {
                 search.descend(objective, name, &start, Some(scales));
                 // Of a start that is near, labels are right, and a larger scale of X leads away from them.
                 if source == Source::Given || objective.problem.has_two_works() {
@@ -99,6 +103,10 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
 
 struct Search {
     tried: Vec<Attempt>,
+    /// The starts of all descents, each with whether the scale of X fell.
+    begun: Vec<(Vec<f64>, bool)>,
+    /// Where descents were while the scale of X fell: that scale, the sum of squares and the number of detached rows.
+    passed: Vec<[f64; 3]>,
     evaluations: usize,
     failure: Option<mdr_core::contact::Error>,
 }
@@ -107,10 +115,12 @@ impl Search {
     /// Descends on a part of the rows: the scale of X falls through `scales` to its value, or has it from the beginning. The end is kept
     /// unless it is known.
     fn descend(&mut self, objective: &mut Objective<'_>, start: &'static str, values: &[f64], scales: Option<&[f64]>) {
+        self.begun.push((values.to_vec(), scales.is_some()));
         match self.reduced(objective, values, scales) {
-            Ok((fitted, cost, detached)) => {
+            Ok(None) => {}
+            Ok(Some((fitted, cost, detached))) => {
                 let end = [cost, detached as f64];
-                let known = |other: &Attempt| is_same([other.cost, other.detached as f64], end, 1e-4);
+                let known = |other: &Attempt| is_same([other.cost, other.detached as f64], end, KNOWN);
                 if !self.tried.iter().any(known) {
                     self.tried.push(Attempt { start, fitted, cost, detached });
                 }
@@ -119,32 +129,59 @@ impl Search {
         }
     }
 
+    /// The end of a descent with its sum of squares and its number of detached rows; `None` where it goes the way of an earlier one.
     fn reduced(
         &mut self,
         objective: &mut Objective<'_>,
         start: &[f64],
         scales: Option<&[f64]>,
-    ) -> mdr_core::contact::Result<(Vec<f64>, f64, usize)> {
+    ) -> mdr_core::contact::Result<Option<(Vec<f64>, f64, usize)>> {
         let (scale, all) = (objective.x_scale, objective.rows.clone());
-        let last = scale.filter(|scale| *scale > 0.0).unwrap_or(objective.noise.beyond);
-        let mut fitted = start.to_vec();
+        objective.rows = all.iter().copied().step_by(all.len().div_ceil(FEW).max(1)).collect();
+        let end = self.guided(objective, start, scales);
+        objective.x_scale = scale;
+        // Folds that have come up on the way are found here.
+        let end = end.map(|(fitted, patience)| match minimise::descend(objective, &fitted, None, 1e-8, 2 * patience) {
+            Ok(next) => {
+                self.evaluations += next.evaluations;
+                (next.fitted, Some(next.near))
+            }
+            Err(_) => (fitted, None),
+        });
+        objective.rows = all;
+        let Some((fitted, near)) = end else { return Ok(None) };
+        let evaluation = objective.evaluate(&fitted, near.as_ref())?;
+        Ok(Some((fitted, evaluation.cost(), evaluation.detached())))
+    }
+
+    /// Follows a start while the scale of X falls; where it leads, and the patience of a descent from there. `None` where it meets the way of
+    /// an earlier one.
+    fn guided(
+        &mut self,
+        objective: &mut Objective<'_>,
+        start: &[f64],
+        scales: Option<&[f64]>,
+    ) -> Option<(Vec<f64>, usize)> {
+        let last = objective.x_scale.filter(|scale| *scale > 0.0).unwrap_or(objective.noise.beyond);
         let (scales, end): (&[f64], &[f64]) = scales.map_or((&[], &[]), |scales| (scales, &[1.0]));
         let patience = if scales.len() > 1 { PATIENCE[0] } else { PATIENCE[1] };
-        objective.rows = all.iter().copied().step_by(all.len().div_ceil(FEW).max(1)).collect();
+        let (mut fitted, mut near) = (start.to_vec(), None::<Evaluation>);
         for factor in scales.iter().chain(end) {
             objective.x_scale = Some(factor * last);
             // A step of the continuation that fails leaves its start to the next.
-            if let Ok((next, evaluations)) = minimise::descend(objective, &fitted, 1e-5, patience) {
-                (fitted, self.evaluations) = (next, self.evaluations + evaluations);
+            if let Ok(next) = minimise::descend(objective, &fitted, near.as_ref(), 1e-5, patience) {
+                self.evaluations += next.evaluations;
+                let [cost, detached] = [next.cost, next.near.detached() as f64];
+                let has_passed =
+                    |other: &[f64; 3]| other[0] == *factor && is_same([other[1], other[2]], [cost, detached], KNOWN);
+                if self.passed.iter().any(has_passed) {
+                    return None;
+                }
+                self.passed.push([*factor, cost, detached]);
+                (fitted, near) = (next.fitted, Some(next.near));
             }
         }
-        objective.x_scale = scale;
-        if let Ok((next, evaluations)) = minimise::descend(objective, &fitted, 1e-8, 2 * patience) {
-            (fitted, self.evaluations) = (next, self.evaluations + evaluations);
-        }
-        objective.rows = all;
-        let evaluation = objective.evaluate(&fitted, None)?;
-        Ok((fitted, evaluation.cost(), evaluation.detached()))
+        Some((fitted, patience))
     }
 
     /// All rows, from the best ends on.
@@ -197,7 +234,7 @@ impl Search {
         match minima.into_iter().next() {
             Some(minimum) => {
                 objective.at_fold.clone_from(&minimum.at_fold);
-                let minimum = minimise::polish(objective, &minimum.fitted, self.evaluations, Precision::Full)?;
+                let minimum = minimise::polish(objective, &minimum.fitted, None, self.evaluations, Precision::Full)?;
                 Ok(Found { minimum, tried: self.tried })
             }
             None => Err(no_start(objective, self.failure)),
@@ -253,7 +290,7 @@ fn lowest_near(objective: &mut Objective<'_>, start: &[f64], evaluations: usize)
     let free = descended(objective, start, evaluations)?;
     let found = settled(objective, free, start)?;
     objective.at_fold.clone_from(&found.at_fold);
-    minimise::polish(objective, &found.fitted, found.evaluations, Precision::Full)
+    minimise::polish(objective, &found.fitted, None, found.evaluations, Precision::Full)
 }
 
 /// The least minimum of all rows near a start, from which a descent has led to the free one.
@@ -303,8 +340,8 @@ fn settled(objective: &mut Objective<'_>, free: Minimum, start: &[f64]) -> mdr_c
 }
 
 fn descended(objective: &Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
-    let (fitted, more) = minimise::descend(objective, start, 1e-6, 100)?;
-    minimise::polish(objective, &fitted, evaluations + more, Precision::Comparable)
+    let end = minimise::descend(objective, start, None, 1e-6, 100)?;
+    minimise::polish(objective, &end.fitted, Some(&end.near), evaluations + end.evaluations, Precision::Comparable)
 }
 
 /// The minimum to which all rows but these lead, then with them.
@@ -318,10 +355,10 @@ fn led_by_others(
     let kept =
         |(index, row): (usize, &super::problem::DataRow)| (!rows.iter().any(|held| held.row == index)).then_some(*row);
     objective.rows = all.iter().enumerate().filter_map(kept).collect();
-    let led = minimise::descend(objective, start, 1e-8, 30);
+    let led = minimise::descend(objective, start, None, 1e-8, 30);
     objective.rows = all;
-    let (fitted, more) = led?;
-    descended(objective, &fitted, evaluations + more)
+    let led = led?;
+    descended(objective, &led.fitted, evaluations + led.evaluations)
 }
 
 /// The minimum beyond a held one: the fold is moved so far that the curve goes through the row, then it is free.
@@ -333,10 +370,10 @@ fn released(objective: &mut Objective<'_>, held: &Minimum, evaluations: usize) -
         fold.beyond = width * residual.powi(2).clamp(1.0, 1e3);
     }
     objective.at_fold = moved;
-    let away = minimise::descend(objective, &held.fitted, 1e-8, 30);
+    let away = minimise::descend(objective, &held.fitted, Some(&held.evaluation), 1e-8, 30);
     objective.at_fold.clear();
-    let (fitted, more) = away?;
-    descended(objective, &fitted, evaluations + more)
+    let away = away?;
+    descended(objective, &away.fitted, evaluations + away.evaluations)
 }
 
 /// The last rows of arcs that lie beyond the fold or nearer to it than the noise resolves.

@@ -8,6 +8,16 @@ use super::contact::{Contact, Point};
 /// A step of the secant method, relative to the radius, after which none is needed.
 const NEAR: f64 = 1e-8;
 
+/// What a step of Newton's method may leave, relative to the radius: far below the rounding of a double, since the curvature is that
+/// between two samples, and so that what is linear along the step needs no further state.
+const LEFT: f64 = 1e-22;
+
+/// The most rounds of Newton's method, some of which are bisections.
+const ROUNDS: usize = 80;
+
+/// The slope of X in a segment, against its mean, from which on the segment has no fold beside it.
+const STEEP: f64 = 0.5;
+
 /// The point of an arc to which a row is compared.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Foot {
@@ -29,6 +39,13 @@ pub(super) struct Scales {
     pub(super) beyond: f64,
 }
 
+/// A place of an arc with a given X.
+struct Place {
+    s: f64,
+    y: f64,
+    tangent: [f64; 2],
+}
+
 impl Arc {
     /// The point to which a row is compared.
     ///
@@ -47,34 +64,43 @@ impl Arc {
             let end = if row[0] <= lower.at[0] { lower } else { upper };
             return Ok(foot_at_end(end, row, [scales.beyond, scales.y]));
         }
-        let s = self.parameter(contact, row[0])?;
-        let Point { at, tangent, .. } = contact.point(&s)?;
+        let Place { s, y, tangent } = self.at(contact, row[0])?;
         let weights = [-tangent[1] / tangent[0] / scales.y, 1.0 / scales.y];
-        Ok(Foot { s, residual: (at[1] - row[1]) / scales.y, weights, is_end: false })
+        Ok(Foot { s, residual: (y - row[1]) / scales.y, weights, is_end: false })
     }
 
-    /// Where X is `x`, between the ends of the arc, by Newton's method within a bracket.
+    /// Where X is `x`, between the ends of the arc.
     pub(super) fn parameter(&self, contact: &Contact<'_, f64>, x: f64) -> Result<f64> {
+        self.at(contact, x).map(|place| place.s)
+    }
+
+    /// The place at which X is `x`, between the ends of the arc, by Newton's method within a bracket.
+    fn at(&self, contact: &Contact<'_, f64>, x: f64) -> Result<Place> {
         let after = self.samples.partition_point(|sample| sample.at[0] <= x).clamp(1, self.samples.len() - 1);
-        let [mut low, mut high] = [self.samples[after - 1].s, self.samples[after].s];
-        let mut s = guess(&self.samples[after - 1], &self.samples[after], x);
-        for _ in 0..80 {
+        let [before, after] = [&self.samples[after - 1], &self.samples[after]];
+        let [mut low, mut high] = [before.s, after.s];
+        // What a step leaves is the curvature of X times half the square of the step.
+        let bend = 0.5 * ((after.tangent[0] - before.tangent[0]) / (high - low)).abs();
+        let mut s = guess(before, after, x);
+        for _ in 0..ROUNDS {
             if !(s > low && s < high) {
                 s = 0.5 * (low + high);
             }
             let Point { at, tangent, .. } = contact.point(&s)?;
             let excess = at[0] - x;
             *if excess > 0.0 { &mut high } else { &mut low } = s;
-            let next = s - excess / tangent[0];
-            if (next - s).abs() <= 1e-9 * s && next > low && next < high {
-                return Ok(next);
+            let step = excess / tangent[0];
+            let next = s - step;
+            if bend * step * step <= LEFT * s * tangent[0] && next > low && next < high {
+                return Ok(Place { s: next, y: at[1] - tangent[1] * step, tangent });
             }
             if excess == 0.0 || high - low <= 4.0 * f64::EPSILON * s {
-                return Ok(s);
+                return Ok(Place { s, y: at[1], tangent });
             }
             s = next;
         }
-        Ok(s)
+        let Point { at, tangent, .. } = contact.point(&s)?;
+        Ok(Place { s, y: at[1], tangent })
     }
 
     /// The nearest point in units of the scales, the ends included.
@@ -221,14 +247,18 @@ fn foot_at_end(end: &Sample, row: [f64; 2], scales: [f64; 2]) -> Foot {
     Foot { s: end.s, residual: sign * distance, weights, is_end: true }
 }
 
-/// Where X is `x` between two samples, by the cubic in s² − s₀² that a fold looks like, else linearly.
+/// Where X is `x` between two samples: by the cubic that has their slopes ds/dX; beside a fold, where there are none, by the parabola
+/// that X looks like there.
 fn guess(low: &Sample, high: &Sample, x: f64) -> f64 {
-    let share = (x - low.at[0]) / (high.at[0] - low.at[0]);
-    let width = high.s - low.s;
-    let [start, end] = [low.tangent[0] * width, high.tangent[0] * width].map(|slope| slope / (high.at[0] - low.at[0]));
-    // X is nearly a parabola between samples: share = start·t + (1 − start) t².
-    let bend = 1.0 - start;
-    let root = (start * start + 4.0 * bend * share).sqrt();
-    let t = 2.0 * share / (start + root);
-    if t.is_finite() && end.is_finite() { low.s + t.clamp(0.0, 1.0) * width } else { low.s + share * width }
+    let (width, rise) = (high.s - low.s, high.at[0] - low.at[0]);
+    let share = (x - low.at[0]) / rise;
+    let [start, end] = [low.tangent[0] * width / rise, high.tangent[0] * width / rise];
+    let t = if start > STEEP && end > STEEP {
+        let (rest, product) = (1.0 - share, share * (1.0 - share));
+        share * share * (1.0 + 2.0 * rest) + product * (rest / start - share / end)
+    } else {
+        // share = start·t + (1 − start) t².
+        2.0 * share / (start + (start * start + 4.0 * (1.0 - start) * share).sqrt())
+    };
+    low.s + if t.is_finite() { t.clamp(0.0, 1.0) } else { share } * width
 }

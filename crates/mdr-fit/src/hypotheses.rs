@@ -50,11 +50,12 @@ struct Part<'s> {
     order: Vec<usize>,
 }
 
-/// A number, or the least squares for it.
+/// What is not found by least squares.
 #[derive(Clone, Copy)]
 struct Given {
     e_star: Option<f64>,
-    baseline: Option<f64>,
+    /// Whether the baseline, which forces are counted from, is known.
+    level: bool,
 }
 
 /// The least sum of squares of one hypothesis at one place of the grid.
@@ -95,6 +96,8 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
         order.sort_by(|one, other| states[*one].depth.total_cmp(&states[*other].depth));
         parts.push(Part { leg: leg[0].leg, states, order });
     }
+    let sum = |of: fn(f64) -> f64| states.iter().map(|state| of(state.force)).sum::<f64>();
+    let whole = Whole { count: states.len() as f64, y: sum(|force| force), yy: sum(|force| force * force) };
     let mut depths: Vec<f64> = states.iter().map(|state| state.depth).collect();
     depths.sort_by(f64::total_cmp);
     let span = depths.last()? - depths.first()?;
@@ -106,7 +109,7 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
     let deepest = if moves { 2.5 * span } else { (depths.last()? - point).max(0.0) + 0.1 * span };
     let tip = Sampled::new(pressed, deepest)?;
     let given = |kind: Kind| problem.known(kind).filter(|_| !problem.is_free(kind));
-    let given_baseline = given(Kind::Baseline).map(|_| 0.0);
+    let level = given(Kind::Baseline).is_some();
     let lengths: Vec<(f64, Option<f64>)> = match [Kind::EffectiveModulus, Kind::WorkOfAdhesion].map(given) {
         [Some(e_star), Some(work)] => vec![(work / e_star, Some(e_star))],
         [None, Some(work)] => {
@@ -122,11 +125,10 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
         }
     };
     let has_tail = problem.observation != Observation::IndentationOfForce;
-    // At w/E* with the given E*, and where the fold is or, if the depth has no offset, that being given.
-    let at = |[length, fold]: [f64; 2], e_star: Option<f64>, which: usize| {
-        let curve = tip.curve(length, problem.observation)?;
+    // With the given E*, and where the fold is or, if the depth has no offset, that being given.
+    let at = |curve: &Curve, fold: f64, e_star: Option<f64>, which: usize| {
         let shift = if moves { fold - curve.fold() } else { point };
-        least(&parts, &curve, shift, Given { e_star, baseline: given_baseline }, has_tail)[which]
+        least(&parts, &whole, curve, shift, Given { e_star, level }, has_tail)[which]
     };
     let mut grids = [Vec::new(), Vec::new()];
     for (length, e_star) in lengths {
@@ -136,8 +138,10 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
         } else {
             vec![point]
         };
-        let given = Given { e_star, baseline: given_baseline };
-        let of = |shift: &f64| curve.as_ref().map_or([None; 2], |curve| least(&parts, curve, *shift, given, has_tail));
+        let given = Given { e_star, level };
+        let of = |shift: &f64| {
+            curve.as_ref().map_or([None; 2], |curve| least(&parts, &whole, curve, *shift, given, has_tail))
+        };
         let found: Vec<[Option<Found>; 2]> = shifts.iter().map(of).collect();
         for (grid, which) in grids.iter_mut().zip(0..) {
             grid.push(found.iter().map(|found| found[which]).collect::<Vec<_>>());
@@ -152,13 +156,15 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
         let mut steps =
             [if is_given { 0.0 } else { 0.5 / IN_A_DECADE }, if moves { span / INSIDE as f64 } else { 0.0 }];
         for _ in 0..ROUNDS {
-            let length = best.length;
-            let fold = tip.curve(length, problem.observation).map_or(0.0, |curve| curve.fold()) + best.shift;
-            for (along, across) in (-1..=1).flat_map(|along| (-1..=1).map(move |across| (along, across))) {
-                let length = length * 10f64.powf(steps[0] * f64::from(along));
-                let other = at([length, fold + steps[1] * f64::from(across)], e_star_of(length), which);
-                if let Some(other) = other.filter(|other| other.cost < best.cost) {
-                    best = other;
+            let lengths = [0.0, -1.0, 1.0].map(|along| best.length * 10f64.powf(steps[0] * along));
+            let curves = lengths.map(|length| tip.curve(length, problem.observation));
+            let fold = curves[0].as_ref().map_or(0.0, Curve::fold) + best.shift;
+            for curve in curves.iter().flatten() {
+                for across in [-1.0, 0.0, 1.0] {
+                    let other = at(curve, fold + steps[1] * across, e_star_of(curve.length), which);
+                    if let Some(other) = other.filter(|other| other.cost < best.cost) {
+                        best = other;
+                    }
                 }
             }
             steps = steps.map(|step| 0.6 * step);
@@ -238,10 +244,10 @@ struct Sampled<'t> {
 struct Curve {
     /// w/E*.
     length: f64,
-    /// From the inside: each arc is left where it ends.
-    approach: Vec<[f64; 2]>,
+    /// From the inside, with the slope from the state before: each arc is left where it ends.
+    approach: Vec<[f64; 3]>,
     /// From the outside.
-    retract: Vec<[f64; 2]>,
+    retract: Vec<[f64; 3]>,
 }
 
 impl Curve {
@@ -311,11 +317,26 @@ impl<'t> Sampled<'t> {
             kept.sort_by(|one, other| one[0].total_cmp(&other[0]));
             kept
         };
+        let with_slopes = |states: Vec<[f64; 2]>| -> Vec<[f64; 3]> {
+            let slope = |index: usize| {
+                let [[d0, f0], [d1, f1]] = [states[index - 1], states[index]];
+                (f1 - f0) / (d1 - d0)
+            };
+            (0..states.len()).map(|index| [states[index][0], states[index][1], slope(index.max(1))]).collect()
+        };
         let retract = rising(&mut states.iter().rev().copied(), -1.0);
         let lowest = states.iter().position(|state| Some(state) == retract.first())?;
         let approach = rising(&mut states[lowest..].iter().copied(), 1.0);
-        (retract.len() > 2 && approach.len() > 2).then_some(Curve { length, approach, retract })
+        let is_seen = retract.len() > 2 && approach.len() > 2;
+        is_seen.then(|| Curve { length, approach: with_slopes(approach), retract: with_slopes(retract) })
     }
+}
+
+/// Sums over all rows: how many there are, of F and of F².
+struct Whole {
+    count: f64,
+    y: f64,
+    yy: f64,
 }
 
 /// Running sums of φ, φ² and φF over the rows of a part in contact.
@@ -326,7 +347,14 @@ fn plus(one: Sums, other: Sums) -> Sums {
 }
 
 /// The least sums of squares at one w/E* and shift: with all rows in contact, and with some detached.
-fn least(parts: &[Part<'_>], curve: &Curve, shift: f64, given: Given, has_tail: bool) -> [Option<Found>; 2] {
+fn least(
+    parts: &[Part<'_>],
+    whole: &Whole,
+    curve: &Curve,
+    shift: f64,
+    given: Given,
+    has_tail: bool,
+) -> [Option<Found>; 2] {
     // Of all but the last part: in contact from where it can be, or from the first touch.
     let mut before: Vec<(Sums, usize)> = vec![([0.0; 3], 0)];
     let mut last: Vec<(Sums, usize)> = Vec::new();
@@ -342,9 +370,8 @@ fn least(parts: &[Part<'_>], curve: &Curve, shift: f64, given: Given, has_tail: 
             before = kept.flat_map(|one| before.iter().map(|other| (plus(one.0, other.0), one.1 + other.1))).collect();
         }
     }
-    let states = || parts.iter().flat_map(|part| part.states);
-    let count = states().count() as f64;
-    let (y, yy) = states().fold((0.0, 0.0), |(y, yy), state| (y + state.force, yy + state.force * state.force));
+    let Whole { count, y, yy } = *whole;
+    let share = 1.0 / count;
     let mut found = [None::<Found>; 2];
     for (first, more) in &before {
         for (sums, detached) in &last {
@@ -353,20 +380,13 @@ fn least(parts: &[Part<'_>], curve: &Curve, shift: f64, given: Given, has_tail: 
                 continue;
             }
             let [p, pp, py] = plus(*first, *sums);
-            let solved = match (given.e_star, given.baseline) {
-                (Some(e_star), Some(baseline)) => [e_star, baseline],
-                (Some(e_star), None) => [e_star, (y - e_star * p) / count],
-                (None, Some(baseline)) => [(py - baseline * p) / pp, baseline],
-                (None, None) => {
-                    let e_star = (py * count - p * y) / (pp * count - p * p);
-                    [e_star, (y - e_star * p) / count]
-                }
+            let e_star = match (given.e_star, given.level) {
+                (Some(e_star), _) => e_star,
+                (None, true) => py / pp,
+                (None, false) => (py * count - p * y) / (pp * count - p * p),
             };
-            let [e_star, baseline] = solved;
-            let cost = e_star * e_star * pp + 2.0 * e_star * baseline * p + baseline * baseline * count
-                - 2.0 * e_star * py
-                - 2.0 * baseline * y
-                + yy;
+            let baseline = if given.level { 0.0 } else { (y - e_star * p) * share };
+            let cost = yy + e_star * (e_star * pp - 2.0 * py) - baseline * baseline * count;
             let best = &mut found[usize::from(detached > 0)];
             if e_star > 0.0 && cost.is_finite() && best.as_ref().is_none_or(|best| cost < best.cost) {
                 *best = Some(Found { cost, e_star, length: curve.length, shift, baseline });
@@ -387,22 +407,20 @@ impl Part<'_> {
             while at + 1 < points.len() && points[at][0] < depth {
                 at += 1;
             }
-            let [[d0, f0], [d1, f1]] = [points[at - 1], points[at]];
+            let [[d0, f0, _], [d1, _, slope]] = [points[at - 1], points[at]];
             // A row at the fold may be a little beyond it by rounding.
-            forces[*index] =
-                (depth >= points[0][0] - 1e-9 * (d1 - d0)).then(|| f0 + (f1 - f0) * (depth - d0) / (d1 - d0));
+            forces[*index] = (depth >= points[0][0] - 1e-9 * (d1 - d0)).then(|| f0 + slope * (depth - d0));
         }
         // Contact is lost on the way out, and found on the way in: rows count from the end that is in contact.
-        let rows: Vec<usize> = match self.leg {
-            Leg::Retract => (0..forces.len()).collect(),
-            Leg::Approach => (0..forces.len()).rev().collect(),
-        };
+        let rows = forces.len();
         let mut sums = [0.0; 3];
-        let mut choices = vec![(sums, rows.len())];
-        for (count, row) in rows.iter().enumerate() {
-            let Some(force) = forces[*row] else { break };
-            sums = plus(sums, [force, force * force, force * self.states[*row].force]);
-            choices.push((sums, rows.len() - count - 1));
+        let mut choices = Vec::with_capacity(rows + 1);
+        choices.push((sums, rows));
+        for count in 1..=rows {
+            let row = if self.leg == Leg::Retract { count - 1 } else { rows - count };
+            let Some(force) = forces[row] else { break };
+            sums = plus(sums, [force, force * force, force * self.states[row].force]);
+            choices.push((sums, rows - count));
         }
         choices
     }

@@ -78,21 +78,38 @@ impl Place<'_, '_> {
     }
 }
 
-/// Descends from `start`; `tolerance` is that of the sum of squares and of the step.
+/// Where Levenberg–Marquardt ends.
+pub(super) struct End {
+    pub(super) fitted: Vec<f64>,
+    /// The sum of squares there.
+    pub(super) cost: f64,
+    /// At the last place that was tried: there, or next to it.
+    pub(super) near: Evaluation,
+    pub(super) evaluations: usize,
+}
+
+/// Descends from `start`; `tolerance` is that of the sum of squares and of the step. Folds are followed from an evaluation at the start, if
+/// there is one.
 ///
 /// # Errors
 /// Where the objective has no value at the start.
 pub(super) fn descend(
     objective: &Objective<'_>,
     start: &[f64],
+    before: Option<&Evaluation>,
     tolerance: f64,
     patience: usize,
-) -> mdr_core::contact::Result<(Vec<f64>, usize)> {
-    let (fitted, evaluation) = (DVector::from_column_slice(start), objective.evaluate(start, None)?);
+) -> mdr_core::contact::Result<End> {
+    let (fitted, evaluation) = (DVector::from_column_slice(start), objective.evaluate(start, before)?);
     let place = Place { objective, start, fitted, evaluation, has_value: true, evaluations: 1 };
     let method = LevenbergMarquardt::new().with_tol(tolerance).with_patience(patience).with_stepbound(1.0);
-    let (place, _) = method.minimize(place);
-    Ok((inside_bounds(objective, place.fitted.as_slice()), place.evaluations))
+    let (place, report) = method.minimize(place);
+    Ok(End {
+        fitted: inside_bounds(objective, place.fitted.as_slice()),
+        cost: 2.0 * report.objective_function,
+        near: place.evaluation,
+        evaluations: place.evaluations,
+    })
 }
 
 /// Values beyond their bounds come back to them.
@@ -135,12 +152,13 @@ impl Precision {
 pub(super) fn polish(
     objective: &Objective<'_>,
     start: &[f64],
+    before: Option<&Evaluation>,
     mut evaluations: usize,
     precision: Precision,
 ) -> mdr_core::contact::Result<Minimum> {
     let [smallest, slow] = precision.steps();
     let mut fitted = start.to_vec();
-    let mut evaluation = objective.evaluate(&fitted, None)?;
+    let mut evaluation = objective.evaluate(&fitted, before)?;
     let mut jacobian = objective.jacobian(&fitted, &evaluation)?;
     let mut hessian: Option<DMatrix<f64>> = None;
     let mut last = f64::INFINITY;

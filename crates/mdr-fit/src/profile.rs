@@ -159,10 +159,10 @@ impl<'o, 'p> Profile<'o, 'p> {
             self.budget = self.budget.saturating_sub(1);
             cost += objective.evaluate(&[], None)?.cost();
         } else {
-            let (others, evaluations) = minimise::descend(&objective, &self.others, 1e-11, 100)?;
-            self.budget = self.budget.saturating_sub(evaluations);
-            cost += objective.evaluate(&others, None)?.cost();
-            self.others = others;
+            let end = minimise::descend(&objective, &self.others, None, 1e-11, 100)?;
+            self.budget = self.budget.saturating_sub(end.evaluations);
+            cost += objective.evaluate(&end.fitted, None)?.cost();
+            self.others = end.fitted;
         }
         self.lowest = self.lowest.min(cost);
         let rise = (cost - self.minimum.evaluation.cost()).max(0.0).sqrt();

@@ -17,6 +17,28 @@ pub enum Input<'t, R: Real> {
     Profile(&'t dyn Transform<Dual<R>>),
 }
 
+impl<R: Real> Input<'_, R> {
+    /// ∂d/∂ln x and ∂F/∂ln x at a fixed contact radius, by the stiffness S, the edge elongation Δl and the force of the state there.
+    /// [`Contact::partials`] has the formulas.
+    ///
+    /// # Errors
+    /// Errors of the transform at a.
+    pub fn partials(&self, a: &R, stiffness: &R, elongation: &R, force: &R) -> Result<[R; 2]> {
+        let half = elongation.clone().over(2);
+        let lever = stiffness.clone() * &half;
+        Ok(match self {
+            Input::Modulus => [half, lever + force],
+            Input::WorkOfAdhesion => [-half, -lever],
+            Input::Profile(seeded) => {
+                let fixed = Dual::constant(a.clone());
+                let depth = seeded.g(&fixed)?.slope;
+                let force = (depth.clone() - &seeded.mean(&fixed)?.slope) * stiffness;
+                [depth, force]
+            }
+        })
+    }
+}
+
 impl<R: Real> Contact<R> {
     /// ∂d/∂ln x and ∂F/∂ln x of the equilibrium with the contact radius a, which is fixed, for an input x.
     ///
@@ -47,18 +69,7 @@ impl<R: Real> Contact<R> {
     /// # Errors
     /// Errors of the transform at a; see [`Transform::g`].
     pub fn partials(&self, a: &R, input: Input<'_, R>) -> Result<[R; 2]> {
-        let half = self.elongation(a).over(2);
-        let lever = self.stiffness(a) * &half;
-        Ok(match input {
-            Input::Modulus => [half, self.force(a)? + lever],
-            Input::WorkOfAdhesion => [-half, -lever],
-            Input::Profile(seeded) => {
-                let fixed = Dual::constant(a.clone());
-                let depth = seeded.g(&fixed)?.slope;
-                let force = self.stiffness(a) * (depth.clone() - &seeded.mean(&fixed)?.slope);
-                [depth, force]
-            }
-        })
+        input.partials(a, &self.stiffness(a), &self.elongation(a), &self.force(a)?)
     }
 }
 
