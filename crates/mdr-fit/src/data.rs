@@ -147,6 +147,19 @@ pub(super) fn leg_of(name: &str) -> Option<Leg> {
     LEGS.into_iter().find(|(_, names)| names.iter().any(is_name)).map(|(leg, _)| leg)
 }
 
+impl Leg {
+    /// The leg that instruments call by this name: `approach`, `extend`, `trace` and the like, or `retract`, `withdraw`, `retrace`.
+    ///
+    /// ```
+    /// use mdr_fit::Leg;
+    /// assert_eq!(Leg::named("Extend"), Some(Leg::Approach));
+    /// assert_eq!(Leg::named("pause"), None);
+    /// ```
+    pub fn named(name: &str) -> Option<Leg> {
+        leg_of(name)
+    }
+}
+
 /// The unit of a column, by its name.
 pub(super) fn si_unit(base: &str) -> SiUnit {
     match base {

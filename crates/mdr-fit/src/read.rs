@@ -44,7 +44,7 @@ impl Problem {
         Ok(move |curve: &Path| {
             let name = curve.display().to_string();
             let bytes = files::argument(curve).map_err(|source| Error::Io { name: name.clone(), source })?;
-            source.read(|top| read(top, Some(Curve { name: &name, bytes: &bytes })))
+            source.read(|top| read(top, Some(Curve::File { name: &name, bytes: &bytes })))
         })
     }
 
@@ -64,6 +64,22 @@ impl Problem {
     pub fn from_json(text: &str, name: &str, files: Files<'_>) -> Result<Problem> {
         reading::json(text, name, files, |top| read(top, None))
     }
+
+    /// Reads a fit as JSON, as [`Problem::from_json`] does, of rows that are at hand, in SI units: `[data]` names neither rows nor a file.
+    /// The legs are those of the rows, or end where x turns. Rows with NaN are skipped where `missing` says so.
+    ///
+    /// # Errors
+    /// A text that is no fit, with name, line and key; columns that are not of one length.
+    #[cfg(feature = "serde")]
+    pub fn from_json_of_rows(
+        text: &str,
+        name: &str,
+        files: Files<'_>,
+        [x, y]: [&[f64]; 2],
+        legs: Option<&[Leg]>,
+    ) -> Result<Problem> {
+        reading::json(text, name, files, |top| read(top, Some(Curve::Rows { x, y, legs })))
+    }
 }
 
 /// The largest number of a column.
@@ -71,9 +87,12 @@ const MOST_COLUMNS: u32 = 100_000;
 
 /// A curve in place of the data of a fit.
 #[derive(Clone, Copy)]
-struct Curve<'c> {
-    name: &'c str,
-    bytes: &'c [u8],
+enum Curve<'c> {
+    /// A file, with its name.
+    File { name: &'c str, bytes: &'c [u8] },
+    /// Rows in SI units.
+    #[cfg(feature = "serde")]
+    Rows { x: &'c [f64], y: &'c [f64], legs: Option<&'c [Leg]> },
 }
 
 fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
@@ -220,22 +239,25 @@ fn rows_of(
         // Zero says that nothing is known of it; σ_X = 0 asks for vertical distances.
         sigma[1] = sigma[1].filter(|sigma| *sigma > 0.0);
     }
+    #[cfg(feature = "serde")]
+    if let Some(Curve::Rows { x, y, legs }) = curve {
+        require_no_names(data, &columns)?;
+        let (rows, missing) = at_hand([x, y], legs, columns.skips_missing)?;
+        return Ok((Record { rows, text: None, missing, has_times: false }, sigma));
+    }
     let (which, value) = if has_mask { data.one_of(&["file", "x"])? } else { data.one_of(&["file", "rows", "x"])? };
     if which != 0 {
         require_no_names(data, &columns)?;
     }
     let (rows, missing) = match (which, has_mask) {
         (0, _) => {
-            let own = match curve {
-                Some(_) => Vec::new(),
-                None => value.bytes(value.text()?)?,
+            let record = match curve {
+                Some(Curve::File { name, bytes }) => text::read(bytes, &columns, bases)
+                    .map_err(|why| value.refuse(format!("{}: {why}", excerpt(name))))?,
+                _ => text::read(&value.bytes(value.text()?)?, &columns, bases)
+                    .map_err(|why| value.refuse_file(value.text().unwrap_or_default(), &why))?,
             };
-            let refuse = |why: String| match curve {
-                Some(curve) => value.refuse(format!("{}: {why}", excerpt(curve.name))),
-                None => value.refuse_file(value.text().unwrap_or_default(), &why),
-            };
-            let bytes = curve.map_or(own.as_slice(), |curve| curve.bytes);
-            return Ok((text::read(bytes, &columns, bases).map_err(refuse)?, sigma));
+            return Ok((record, sigma));
         }
         (1, false) => inline(&value, &columns, bases)?,
         _ => {
@@ -247,6 +269,27 @@ fn rows_of(
         }
     };
     Ok((Record { rows, text: None, missing, has_times: false }, sigma))
+}
+
+/// Rows at hand, and the indices of those without numbers, where these are skipped.
+#[cfg(feature = "serde")]
+fn at_hand([x, y]: [&[f64]; 2], legs: Option<&[Leg]>, skips_missing: bool) -> Result<(Vec<DataRow>, Vec<usize>)> {
+    let refuse = |why: String| Err(Location::built("data").refuse(why));
+    if x.len() > data::MOST_ROWS {
+        return refuse(format!("{} rows are more than {}: {}", x.len(), data::MOST_ROWS, data::FEWER_ROWS));
+    }
+    if let Some(legs) = legs.filter(|legs| legs.len() != x.len()) {
+        return refuse(format!("{} legs are given for {} rows", legs.len(), x.len()));
+    }
+    let is_missing = |index: &usize| skips_missing && !(x[*index].is_finite() && y[*index].is_finite());
+    let missing: Vec<usize> = (0..x.len().min(y.len())).filter(is_missing).collect();
+    if missing.is_empty() {
+        return Ok((data::rows(x, y, legs)?, missing));
+    }
+    let kept = |index: &usize| missing.binary_search(index).is_err();
+    let of = |column: &[f64]| (0..column.len()).filter(kept).map(|index| column[index]).collect::<Vec<f64>>();
+    let legs: Option<Vec<Leg>> = legs.map(|legs| (0..legs.len()).filter(kept).map(|index| legs[index]).collect());
+    Ok((data::rows(&of(x), &of(y), legs.as_deref())?, missing))
 }
 
 /// Rows that are no file have no columns, so that a name tells nothing: it would be passed over in silence.

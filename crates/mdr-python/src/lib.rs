@@ -3,6 +3,7 @@
 
 mod contact;
 mod errors;
+mod fit;
 mod interrupt;
 mod power_law;
 mod reference;
@@ -18,11 +19,13 @@ mod _core {
     #[pymodule_export]
     use super::contact::ContactClass;
     #[pymodule_export]
+    use super::fit::{Fitted, fit};
+    #[pymodule_export]
     use super::power_law::{critical_states, kappa};
     #[pymodule_export]
     use super::reference::{judge_lines, lines, numbers, select};
     #[pymodule_export]
-    use super::scene::{draw, fit, in_si, solve};
+    use super::scene::{draw, in_si, solve};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

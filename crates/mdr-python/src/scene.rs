@@ -6,7 +6,6 @@ use std::io;
 use mdr::Run;
 use mdr::prelude::{Arithmetic, Scene, Shape};
 use mdr::units::{NumberError, SiUnit};
-use mdr_fit::Problem;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -51,23 +50,6 @@ pub(crate) fn draw(py: Python<'_>, form: &str, text: &str, files: HashMap<String
     picture.map_err(of_library)
 }
 
-/// The fit of a problem as JSON, with its picture as SVG where it is asked for.
-#[pyfunction]
-#[pyo3(signature = (problem, files, drawn))]
-pub(crate) fn fit(
-    py: Python<'_>,
-    problem: &str,
-    files: HashMap<String, Vec<u8>>,
-    drawn: bool,
-) -> PyResult<(String, Option<String>)> {
-    let fitted = interruptible(py, |_| {
-        let fit = Problem::from_json(problem, "", &at_hand(&files))?.fit()?;
-        let picture = drawn.then(|| mdr_provenance::svg(&mdr_plot::fit(fit.profile, &fit).svg()).into_owned());
-        Ok((mdr_provenance::json(&fit.to_json()).into_owned(), picture))
-    })?;
-    fitted.map_err(of_library)
-}
-
 /// A number as text without its unit, in SI, where the unit of the key is known and one is given; any other text as it is. What
 /// is refused is called by its name.
 #[pyfunction]
@@ -101,7 +83,7 @@ fn read(form: &str, text: &str, files: &HashMap<String, Vec<u8>>) -> mdr::Result
 }
 
 /// Finds a named file among `files`, and then on the disk.
-fn at_hand(files: &HashMap<String, Vec<u8>>) -> impl Fn(&str) -> io::Result<Vec<u8>> {
+pub(crate) fn at_hand(files: &HashMap<String, Vec<u8>>) -> impl Fn(&str) -> io::Result<Vec<u8>> {
     |name| files.get(name).cloned().map_or_else(|| mdr::files::named(name), Ok)
 }
 

@@ -1,6 +1,7 @@
 """Fits, and whether the theory holds."""
 
 import json
+import pickle
 from typing import Any
 
 import numpy as np
@@ -168,3 +169,30 @@ def test_two_works_of_adhesion_may_be_given(curve: tuple[mdr.Floats, mdr.Floats]
     assert found.legs[0]["leg"] == "retract"
     with pytest.raises(mdr.SceneError, match="named twice"):
         mdr.fit(x, y, profile=mdr.Paraboloid(radius=1e-5), observation="F(d)", free=["e_star", "e_star"])
+
+
+def test_a_fit_is_pickled() -> None:
+    """Another process gets the whole answer, with its picture."""
+    ball = mdr.jkr(radius=1e-5, e_star=2e6, work_of_adhesion=0.05)
+    depth = np.linspace(2e-6, -2e-7, 12)
+    found = mdr.fit(depth, ball.states(indentation=depth).force, profile=mdr.Paraboloid(radius=1e-5), observation="F(d)")
+    again = pickle.loads(pickle.dumps(found))
+    assert repr(again) == repr(found) and again.to_json() == found.to_json()
+    assert again.plot()._repr_svg_() == found.plot()._repr_svg_()
+    np.testing.assert_array_equal(again.residuals, found.residuals)
+    answer = json.loads(found.to_json())
+    assert [row["y"] for row in answer["rows"]] == found.y.tolist()
+    assert [row["leg"] for row in answer["rows"]] == list(found.leg)
+
+
+def test_rows_without_numbers_take_their_legs_with_them() -> None:
+    ball = mdr.jkr(radius=1e-5, e_star=2e6, work_of_adhesion=0.05)
+    depth = np.r_[np.linspace(0, 2e-6, 8), np.linspace(2e-6, -2e-7, 12)]
+    force = ball.states(indentation=depth).force
+    force[3] = np.nan
+    leg = ["extend"] * 8 + ["withdraw"] * 12
+    problem = {"profile": mdr.Paraboloid(radius=1e-5), "observation": "F(d)"}
+    found = mdr.fit(depth, force, leg=leg, missing="skip", **problem)
+    assert found.skipped == {"not a number": 1} and found.leg.count("approach") == 7
+    with pytest.raises(ValueError, match=r"leg\[19\]"):
+        mdr.fit(depth, force, leg=[*leg[:-1], "pause"], missing="skip", **problem)

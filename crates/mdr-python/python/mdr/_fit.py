@@ -53,13 +53,31 @@ class CertifiedEstimate:
     unique_within: float
 
 
+@dataclass(frozen=True, slots=True)
+class _Kept:
+    """What is left of a fit that was pickled."""
+
+    text: str
+    picture: str
+
+    def json(self) -> str:
+        return self.text
+
+    def svg(self) -> str:
+        return self.picture
+
+
+_LEGS = ("approach", "retract")
+
+
 @final
 class Fit:
     """The answer of :func:`fit`. Its ``repr`` is a table; a notebook shows it with its picture."""
 
-    def __init__(self, text: str, problem: str, files: Files) -> None:
-        self._text, self._problem, self._files = text, problem, files
-        answer: dict[str, Any] = json.loads(text)
+    def __init__(self, fitted: _core.Fitted) -> None:
+        self._fitted: _core.Fitted | _Kept = fitted
+        answer: dict[str, Any] = json.loads(fitted.head())
+        (x, y, curve, residuals, radii), labels, (retracts, pinned) = fitted.columns()
         self._answer = answer
         self.status: Literal["fitted", "poor-fit", "unidentifiable", "not-converged"] = answer["status"]
         """How it ended. Where it is ``"unidentifiable"``, :attr:`invariants` are what the data determine."""
@@ -77,23 +95,21 @@ class Fit:
         """Of the estimates, in their order; of shape (0, 0) unless all are determined."""
         self.correlation: Floats = _matrix(answer["correlation"])
         """Of the estimates, likewise."""
-        self.residuals: Floats = np.array([row["residual"] for row in answer["rows"]], dtype=np.float64)
+        self.residuals: Floats = residuals
         """Curve minus datum of each row, in units of sigma."""
-        self.x: Floats = np.array([row["x"] for row in answer["rows"]], dtype=np.float64)
+        self.x: Floats = x
         """X of each row that counts, in SI units."""
-        self.y: Floats = np.array([row["y"] for row in answer["rows"]], dtype=np.float64)
+        self.y: Floats = y
         """Y of each row, likewise."""
-        self.fitted: Floats = np.array([row["fitted"][1] for row in answer["rows"]], dtype=np.float64)
+        self.fitted: Floats = curve
         """Y of the curve where it is compared with each row: at its X where x is exact, else at the nearest point."""
-        self.leg: tuple[str, ...] = tuple(row["leg"] for row in answer["rows"])
+        self.leg: tuple[str, ...] = tuple(_LEGS[each] for each in retracts.tolist())
         """``"approach"`` or ``"retract"`` of each row."""
-        self.pinned = np.array([row.get("pinned", False) for row in answer["rows"]], dtype=np.bool_)
+        self.pinned = pinned
         """Whether the edge of the contact is pinned between two works of adhesion."""
-        self.labels = np.array([row["label"] for row in answer["rows"]], dtype=np.int64)
+        self.labels = labels
         """The arc of each row, 0 the outermost; −1 detached."""
-        self.contact_radius: Floats = np.array(
-            [np.nan if row["contact_radius"] is None else row["contact_radius"] for row in answer["rows"]]
-        )
+        self.contact_radius: Floats = radii
         """The contact radius of each row in m; NaN where the surfaces are apart."""
         self.invariants: list[dict[str, Any]] = answer["invariants"]
         """Products of powers that the data determine although they do not determine their factors."""
@@ -184,9 +200,7 @@ class Fit:
         """
         if ax is not None:
             return self._draw(ax)
-        svg = _core.fit(self._problem, self._files, True)[1]
-        assert svg is not None
-        return Picture(svg)
+        return Picture(self._fitted.svg())
 
     def _draw(self, ax: Any) -> Any:
         detached = self.labels < 0
@@ -207,7 +221,10 @@ class Fit:
 
     def to_json(self) -> str:
         """The answer as one line of JSON, schema ``mdr.fit/1``, as the command line prints it."""
-        return self._text
+        return self._fitted.json()
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_fitted": _Kept(self._fitted.json(), self._fitted.svg())}
 
     def _rows(self) -> list[tuple[str, ...]]:
         rows = []
@@ -359,14 +376,9 @@ def fit(
             at = int(np.argmin(np.isfinite(column)))
             raise ValueError(f"x and y must be finite: leave out rows that were not measured, or missing='skip'; {name}[{at}] is {column[at]}")
     files: Files = {}
-    pairs: list[list[Any]] = [list(pair) for pair in zip(xs.tolist(), ys.tolist())]
-    if missing == "skip":
-        pairs = [[number if np.isfinite(number) else "nan" for number in pair] for pair in pairs]
-    if leg is not None:
-        pairs = [[*pair, of] for pair, of in zip(pairs, leg)]
     problem: dict[str, Any] = {
         "profile": profile._scene(files),
-        "data": {"observation": observation, "rows": pairs},
+        "data": {"observation": observation},
         "fit": {"free": list(free), "loss": loss},
     }
     if times is not None:
@@ -413,8 +425,7 @@ def fit(
         output["digits"] = digits_of(digits)
     if output:
         problem["output"] = output
-    text = json.dumps(problem)
-    return Fit(_core.fit(text, files, False)[0], text, files)
+    return Fit(_core.fit(json.dumps(problem), files, xs, ys, None if leg is None else list(leg)))
 
 
 # mdr.fit.from_afmformats is mdr.from_afmformats, where one looks for it.
