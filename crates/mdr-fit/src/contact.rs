@@ -237,9 +237,9 @@ impl<R: Special> Springs<R> {
                 });
             }
             let elongation = (a.pi().times(2) * a * work / e_star).sqrt();
-            let twice = a.clone().times(2);
-            let slope = elongation.clone() / &twice;
-            let curvature = -(slope.clone() / &twice);
+            let inverse = a.clone().times(2).inv();
+            let slope = elongation.clone() * &inverse;
+            let curvature = -(slope.clone() * &inverse);
             return Ok(Springs {
                 factor: e_star.clone().times(2),
                 stiffness: [a.clone(), a.lit(1), a.lit(0)],
@@ -268,8 +268,6 @@ pub(super) struct Point<R> {
     pub(super) a: R,
     pub(super) d: R,
     pub(super) f: R,
-    /// d less the mean of g.
-    above_mean: R,
     springs: Springs<R>,
     /// (X, Y), offsets included.
     pub(super) at: [R; 2],
@@ -376,7 +374,7 @@ impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
         let slopes = [d_slope.clone(), f_slope.clone(), a_slope.clone()];
         let tangent = self.observe(d_slope, f_slope, a_slope);
         let beyond_edge = edge.is_some();
-        Ok(Point { a, d, f, above_mean, springs, at: [x + x0, y + y0], slopes, tangent, beyond_edge })
+        Ok(Point { a, d, f, springs, at: [x + x0, y + y0], slopes, tangent, beyond_edge })
     }
 
     /// ∂(X, Y) at a fixed parameter of the curve, with respect to an offset or to the logarithm of another number.

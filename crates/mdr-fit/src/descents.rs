@@ -6,6 +6,7 @@ use super::arcs::Arc;
 use super::minimise::{self, Minimum, Precision};
 use super::objective::{AtFold, Evaluation, Objective};
 use super::parameter::Kind;
+use super::problem::DataRow;
 use super::start::{self, Source};
 use super::warnings::ALIKE;
 use mdr::Result;
@@ -85,20 +86,39 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
         let scales: &[f64] = if source == Source::Given || has_start { &CONTINUATION } else { &CONTINUATION[2..] };
         for (name, start) in start::candidates(objective, source) {
             // From far above a fit that is good nothing better is reached.
-            let good =
-                search.tried.iter().map(|attempt| attempt.cost).filter(|cost| *cost < enough).fold(f64::NAN, f64::min);
-            let cost = || objective.evaluate(&start, None).map_or(f64::INFINITY, |evaluation| evaluation.cost());
+            let good = search.good(enough);
+            let is_far = |objective: &mut Objective<'_>, good: f64| {
+                !good.is_nan() && few_cost(objective, &start) > HOPELESS * (good + dof)
+            };
             let is_begun = search.begun.contains(&(start.clone(), true));
-            if !is_begun && (source != Source::Record || good.is_nan() || cost() < HOPELESS * (good + dof)) {
-                search.descend(objective, name, &start, Some(scales));
-                // Of a start that is near, labels are right, and a larger scale of X leads away from them.
-                if source == Source::Given || objective.problem.has_two_works() {
-                    search.descend(objective, name, &start, None);
-                }
+            if is_begun || (source == Source::Record && is_far(objective, good)) {
+                continue;
+            }
+            search.descend(objective, name, &start, Some(scales));
+            // Of a start that is near, labels are right, and a larger scale of X leads away from them.
+            if (source == Source::Given || objective.problem.has_two_works()) && !is_far(objective, search.good(enough))
+            {
+                search.descend(objective, name, &start, None);
             }
         }
     }
     search.end(objective, is_stated)
+}
+
+/// Leaves some of the rows, and returns all.
+fn thinned(objective: &mut Objective<'_>) -> Vec<DataRow> {
+    let all = std::mem::take(&mut objective.rows);
+    objective.rows = all.iter().copied().step_by(all.len().div_ceil(FEW).max(1)).collect();
+    all
+}
+
+/// The sum of squares of all rows, by some of them.
+fn few_cost(objective: &mut Objective<'_>, fitted: &[f64]) -> f64 {
+    let all = thinned(objective);
+    let share = all.len() as f64 / objective.rows.len().max(1) as f64;
+    let cost = objective.evaluate(fitted, None).map_or(f64::INFINITY, |evaluation| evaluation.cost());
+    objective.rows = all;
+    share * cost
 }
 
 struct Search {
@@ -112,13 +132,19 @@ struct Search {
 }
 
 impl Search {
+    /// The least sum of squares so far, if it is that of a good fit; else NaN.
+    fn good(&self, enough: f64) -> f64 {
+        self.tried.iter().map(|attempt| attempt.cost).filter(|cost| *cost < enough).fold(f64::NAN, f64::min)
+    }
+
     /// Descends on a part of the rows: the scale of X falls through `scales` to its value, or has it from the beginning. The end is kept
     /// unless it is known.
     fn descend(&mut self, objective: &mut Objective<'_>, start: &'static str, values: &[f64], scales: Option<&[f64]>) {
         self.begun.push((values.to_vec(), scales.is_some()));
         match self.reduced(objective, values, scales) {
             Ok(None) => {}
-            Ok(Some((fitted, cost, detached))) => {
+            Ok(Some((fitted, evaluation))) => {
+                let (cost, detached) = (evaluation.cost(), evaluation.detached());
                 let end = [cost, detached as f64];
                 let known = |other: &Attempt| is_same([other.cost, other.detached as f64], end, KNOWN);
                 if !self.tried.iter().any(known) {
@@ -129,29 +155,39 @@ impl Search {
         }
     }
 
-    /// The end of a descent with its sum of squares and its number of detached rows; `None` where it goes the way of an earlier one.
+    /// The end of a descent with the objective of all rows there; `None` where it goes the way of an earlier one.
     fn reduced(
         &mut self,
         objective: &mut Objective<'_>,
         start: &[f64],
         scales: Option<&[f64]>,
-    ) -> mdr_core::contact::Result<Option<(Vec<f64>, f64, usize)>> {
-        let (scale, all) = (objective.x_scale, objective.rows.clone());
-        objective.rows = all.iter().copied().step_by(all.len().div_ceil(FEW).max(1)).collect();
+    ) -> mdr_core::contact::Result<Option<(Vec<f64>, Evaluation)>> {
+        let (scale, all) = (objective.x_scale, thinned(objective));
         let end = self.guided(objective, start, scales);
         objective.x_scale = scale;
         // Folds that have come up on the way are found here.
-        let end = end.map(|(fitted, patience)| match minimise::descend(objective, &fitted, None, 1e-8, 2 * patience) {
-            Ok(next) => {
-                self.evaluations += next.evaluations;
-                (next.fitted, Some(next.near))
-            }
-            Err(_) => (fitted, None),
+        let end = end.map(|(fitted, patience)| match self.descended(objective, &fitted, None, 1e-8, 2 * patience) {
+            Ok(end) => end.fitted,
+            Err(_) => fitted,
         });
         objective.rows = all;
-        let Some((fitted, near)) = end else { return Ok(None) };
-        let evaluation = objective.evaluate(&fitted, near.as_ref())?;
-        Ok(Some((fitted, evaluation.cost(), evaluation.detached())))
+        let Some(fitted) = end else { return Ok(None) };
+        let evaluation = objective.evaluate(&fitted, None)?;
+        Ok(Some((fitted, evaluation)))
+    }
+
+    fn descended(
+        &mut self,
+        objective: &Objective<'_>,
+        start: &[f64],
+        before: Option<&Evaluation>,
+        tolerance: f64,
+        patience: usize,
+    ) -> mdr_core::contact::Result<minimise::End> {
+        let evaluation = objective.evaluate(start, before)?;
+        let end = minimise::descend(objective, start, evaluation, tolerance, patience)?;
+        self.evaluations += end.evaluations;
+        Ok(end)
     }
 
     /// Follows a start while the scale of X falls; where it leads, and the patience of a descent from there. `None` where it meets the way of
@@ -165,20 +201,19 @@ impl Search {
         let last = objective.x_scale.filter(|scale| *scale > 0.0).unwrap_or(objective.noise.beyond);
         let (scales, end): (&[f64], &[f64]) = scales.map_or((&[], &[]), |scales| (scales, &[1.0]));
         let patience = if scales.len() > 1 { PATIENCE[0] } else { PATIENCE[1] };
-        let (mut fitted, mut near) = (start.to_vec(), None::<Evaluation>);
+        let (mut fitted, mut before) = (start.to_vec(), None::<Evaluation>);
         for factor in scales.iter().chain(end) {
             objective.x_scale = Some(factor * last);
             // A step of the continuation that fails leaves its start to the next.
-            if let Ok(next) = minimise::descend(objective, &fitted, near.as_ref(), 1e-5, patience) {
-                self.evaluations += next.evaluations;
-                let [cost, detached] = [next.cost, next.near.detached() as f64];
+            if let Ok(end) = self.descended(objective, &fitted, before.as_ref(), 1e-5, patience) {
+                let [cost, detached] = [end.evaluation.cost(), end.evaluation.detached() as f64];
                 let has_passed =
                     |other: &[f64; 3]| other[0] == *factor && is_same([other[1], other[2]], [cost, detached], KNOWN);
                 if self.passed.iter().any(has_passed) {
                     return None;
                 }
                 self.passed.push([*factor, cost, detached]);
-                (fitted, near) = (next.fitted, Some(next.near));
+                (fitted, before) = (end.fitted, Some(end.evaluation));
             }
         }
         Some((fitted, patience))
@@ -219,8 +254,20 @@ impl Search {
                 Err(error) => self.failure = Some(error),
             }
         }
-        self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
         minima.sort_by(|one, other| one.evaluation.cost().total_cmp(&other.evaluation.cost()));
+        let is_attached = |minimum: &Minimum| minimum.evaluation.detached() == 0;
+        if let Some(first) = minima.first()
+            && (1..=pins(objective)).contains(&first.evaluation.detached())
+            && !minima.iter().any(is_attached)
+            && let Ok(attached) = attached(objective, first, self.evaluations)
+            && is_attached(&attached)
+        {
+            self.evaluations = attached.evaluations;
+            let (fitted, cost) = (attached.fitted.clone(), attached.evaluation.cost());
+            self.tried.push(Attempt { start: "all-in-contact", fitted, cost, detached: 0 });
+            minima.push(attached);
+        }
+        self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
         // Rows out of contact that the free numbers of the baseline alone take up say nothing of a jump before them.
         if let Some(first) = minima.first()
             && (1..=pins(objective)).contains(&first.evaluation.detached())
@@ -234,7 +281,8 @@ impl Search {
         match minima.into_iter().next() {
             Some(minimum) => {
                 objective.at_fold.clone_from(&minimum.at_fold);
-                let minimum = minimise::polish(objective, &minimum.fitted, None, self.evaluations, Precision::Full)?;
+                let Minimum { fitted, evaluation, .. } = minimum;
+                let minimum = minimise::polish(objective, &fitted, evaluation, self.evaluations, Precision::Full)?;
                 Ok(Found { minimum, tried: self.tried })
             }
             None => Err(no_start(objective, self.failure)),
@@ -290,7 +338,7 @@ fn lowest_near(objective: &mut Objective<'_>, start: &[f64], evaluations: usize)
     let free = descended(objective, start, evaluations)?;
     let found = settled(objective, free, start)?;
     objective.at_fold.clone_from(&found.at_fold);
-    minimise::polish(objective, &found.fitted, None, found.evaluations, Precision::Full)
+    minimise::polish(objective, &found.fitted, found.evaluation, found.evaluations, Precision::Full)
 }
 
 /// The least minimum of all rows near a start, from which a descent has led to the free one.
@@ -340,8 +388,21 @@ fn settled(objective: &mut Objective<'_>, free: Minimum, start: &[f64]) -> mdr_c
 }
 
 fn descended(objective: &Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
-    let end = minimise::descend(objective, start, None, 1e-6, 100)?;
-    minimise::polish(objective, &end.fitted, Some(&end.near), evaluations + end.evaluations, Precision::Comparable)
+    let end = minimise::descend(objective, start, objective.evaluate(start, None)?, 1e-6, 100)?;
+    minimise::polish(objective, &end.fitted, end.evaluation, evaluations + end.evaluations, Precision::Comparable)
+}
+
+/// The minimum with all rows in contact beside one at which some of the last are not: that to which the others lead.
+fn attached(
+    objective: &mut Objective<'_>,
+    minimum: &Minimum,
+    evaluations: usize,
+) -> mdr_core::contact::Result<Minimum> {
+    let labels = minimum.evaluation.labels.iter().enumerate();
+    let detached: Vec<AtFold> =
+        labels.filter(|(_, label)| **label == 0).map(|(row, _)| AtFold { row, level: 0, beyond: 0.0 }).collect();
+    objective.at_fold.clear();
+    led_by_others(objective, &minimum.fitted, &detached, evaluations)
 }
 
 /// The minimum to which all rows but these lead, then with them.
@@ -352,10 +413,10 @@ fn led_by_others(
     evaluations: usize,
 ) -> mdr_core::contact::Result<Minimum> {
     let all = objective.rows.clone();
-    let kept =
-        |(index, row): (usize, &super::problem::DataRow)| (!rows.iter().any(|held| held.row == index)).then_some(*row);
+    let kept = |(index, row): (usize, &DataRow)| (!rows.iter().any(|held| held.row == index)).then_some(*row);
     objective.rows = all.iter().enumerate().filter_map(kept).collect();
-    let led = minimise::descend(objective, start, None, 1e-8, 30);
+    let led = objective.evaluate(start, None);
+    let led = led.and_then(|evaluation| minimise::descend(objective, start, evaluation, 1e-8, 30));
     objective.rows = all;
     let led = led?;
     descended(objective, &led.fitted, evaluations + led.evaluations)
@@ -370,7 +431,8 @@ fn released(objective: &mut Objective<'_>, held: &Minimum, evaluations: usize) -
         fold.beyond = width * residual.powi(2).clamp(1.0, 1e3);
     }
     objective.at_fold = moved;
-    let away = minimise::descend(objective, &held.fitted, Some(&held.evaluation), 1e-8, 30);
+    let away = objective.evaluate(&held.fitted, Some(&held.evaluation));
+    let away = away.and_then(|evaluation| minimise::descend(objective, &held.fitted, evaluation, 1e-8, 30));
     objective.at_fold.clear();
     let away = away?;
     descended(objective, &away.fitted, evaluations + away.evaluations)

@@ -19,6 +19,9 @@ const ROWS: usize = 90;
 const RADII: usize = 360;
 const OCTAVES: f64 = 18.0;
 
+/// Intervals of depth in which forces are linear in the root of the distance from the fold.
+const STEPS: usize = 256;
+
 /// Folds inside the record, and before its first row in shares of its span.
 const INSIDE: usize = 36;
 const BEFORE: [f64; 9] = [1e-3, 3e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.5, 1.0];
@@ -46,8 +49,6 @@ struct State {
 struct Part<'s> {
     leg: Leg,
     states: &'s [State],
-    /// Indices by increasing depth.
-    order: Vec<usize>,
 }
 
 /// What is not found by least squares.
@@ -92,10 +93,9 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
     for leg in rows.chunk_by(|one, other| one.at.part == other.at.part) {
         let states = &states[first..first + leg.len()];
         first += leg.len();
-        let mut order: Vec<usize> = (0..states.len()).collect();
-        order.sort_by(|one, other| states[*one].depth.total_cmp(&states[*other].depth));
-        parts.push(Part { leg: leg[0].leg, states, order });
+        parts.push(Part { leg: leg[0].leg, states });
     }
+    let has_approach = parts.iter().any(|part| part.leg == Leg::Approach);
     let sum = |of: fn(f64) -> f64| states.iter().map(|state| of(state.force)).sum::<f64>();
     let whole = Whole { count: states.len() as f64, y: sum(|force| force), yy: sum(|force| force * force) };
     let mut depths: Vec<f64> = states.iter().map(|state| state.depth).collect();
@@ -132,7 +132,7 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
     };
     let mut grids = [Vec::new(), Vec::new()];
     for (length, e_star) in lengths {
-        let curve = tip.curve(length, problem.observation);
+        let curve = tip.curve(length, problem.observation, has_approach);
         let shifts = if moves {
             curve.as_ref().map_or_else(Vec::new, |curve| shifts(&depths, span, curve))
         } else {
@@ -157,7 +157,7 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
             [if is_given { 0.0 } else { 0.5 / IN_A_DECADE }, if moves { span / INSIDE as f64 } else { 0.0 }];
         for _ in 0..ROUNDS {
             let lengths = [0.0, -1.0, 1.0].map(|along| best.length * 10f64.powf(steps[0] * along));
-            let curves = lengths.map(|length| tip.curve(length, problem.observation));
+            let curves = lengths.map(|length| tip.curve(length, problem.observation, has_approach));
             let fold = curves[0].as_ref().map_or(0.0, Curve::fold) + best.shift;
             for curve in curves.iter().flatten() {
                 for across in [-1.0, 0.0, 1.0] {
@@ -240,20 +240,61 @@ struct Sampled<'t> {
     beyond: f64,
 }
 
-/// The states of a tip at one w/E*, as (d, F/E*), by increasing depth.
+/// The states of a tip at one w/E*, by increasing depth.
 struct Curve {
     /// w/E*.
     length: f64,
-    /// From the inside, with the slope from the state before: each arc is left where it ends.
-    approach: Vec<[f64; 3]>,
+    /// From the inside, where a leg approaches: each arc is left where it ends.
+    approach: Option<Forces>,
     /// From the outside.
-    retract: Vec<[f64; 3]>,
+    retract: Forces,
+}
+
+/// F/E* by the depth.
+struct Forces {
+    /// The smallest depth, and that which a row beside it may be smaller by, by rounding.
+    fold: f64,
+    near: f64,
+    /// One over the range of depths.
+    inverse: f64,
+    /// At depths whose distance from the smallest grows with the square of the index: beside a fold F changes as the root of it.
+    values: Vec<f64>,
+}
+
+impl Forces {
+    /// Of at least two states by increasing depth.
+    fn new(states: &[[f64; 2]]) -> Self {
+        let (fold, deepest) = (states[0][0], states[states.len() - 1][0]);
+        let mut at = 1;
+        let value = |index: usize| {
+            let depth = fold + (deepest - fold) * (index as f64 / STEPS as f64).powi(2);
+            while at + 1 < states.len() && states[at][0] < depth {
+                at += 1;
+            }
+            let [[d0, f0], [d1, f1]] = [states[at - 1], states[at]];
+            f0 + (f1 - f0) * (depth - d0) / (d1 - d0)
+        };
+        let values = (0..=STEPS).map(value).collect();
+        Forces { fold, near: 1e-9 * (states[1][0] - fold), inverse: 1.0 / (deepest - fold), values }
+    }
+
+    /// `None` where nothing is in equilibrium; the last two states go on beyond the largest depth.
+    fn at(&self, depth: f64) -> Option<f64> {
+        let above = depth - self.fold;
+        if above < -self.near {
+            return None;
+        }
+        let place = STEPS as f64 * (above.max(0.0) * self.inverse).sqrt();
+        let index = (place as usize).min(STEPS - 1);
+        let [one, other] = [self.values[index], self.values[index + 1]];
+        Some(one + (other - one) * (place - index as f64))
+    }
 }
 
 impl Curve {
     /// The smallest depth.
     fn fold(&self) -> f64 {
-        self.retract.first().map_or(0.0, |point| point[0])
+        self.retract.fold
     }
 }
 
@@ -292,7 +333,7 @@ impl<'t> Sampled<'t> {
         self.points[after][0]
     }
 
-    fn curve(&self, length: f64, observation: Observation) -> Option<Curve> {
+    fn curve(&self, length: f64, observation: Observation, has_approach: bool) -> Option<Curve> {
         let state = |[a, g, mean]: [f64; 3], more: f64| {
             let [stiffness, elongation] = self.tip.unit_springs(length, a);
             let d = g - elongation + more;
@@ -317,18 +358,16 @@ impl<'t> Sampled<'t> {
             kept.sort_by(|one, other| one[0].total_cmp(&other[0]));
             kept
         };
-        let with_slopes = |states: Vec<[f64; 2]>| -> Vec<[f64; 3]> {
-            let slope = |index: usize| {
-                let [[d0, f0], [d1, f1]] = [states[index - 1], states[index]];
-                (f1 - f0) / (d1 - d0)
-            };
-            (0..states.len()).map(|index| [states[index][0], states[index][1], slope(index.max(1))]).collect()
-        };
         let retract = rising(&mut states.iter().rev().copied(), -1.0);
-        let lowest = states.iter().position(|state| Some(state) == retract.first())?;
-        let approach = rising(&mut states[lowest..].iter().copied(), 1.0);
-        let is_seen = retract.len() > 2 && approach.len() > 2;
-        is_seen.then(|| Curve { length, approach: with_slopes(approach), retract: with_slopes(retract) })
+        let approach = if has_approach {
+            let lowest = states.iter().position(|state| Some(state) == retract.first())?;
+            Some(rising(&mut states[lowest..].iter().copied(), 1.0))
+        } else {
+            None
+        };
+        let is_seen = retract.len() > 2 && approach.as_ref().is_none_or(|approach| approach.len() > 2);
+        let approach = approach.filter(|_| is_seen).map(|approach| Forces::new(&approach));
+        is_seen.then(|| Curve { length, approach, retract: Forces::new(&retract) })
     }
 }
 
@@ -399,26 +438,15 @@ fn least(
 impl Part<'_> {
     /// The sums of the rows in contact for every number of detached ones that is possible, with that number.
     fn choices(&self, curve: &Curve, shift: f64) -> Vec<(Sums, usize)> {
-        let points = if self.leg == Leg::Approach { &curve.approach } else { &curve.retract };
-        let mut forces = vec![None; self.states.len()];
-        let mut at = 1;
-        for index in &self.order {
-            let depth = self.states[*index].depth - shift;
-            while at + 1 < points.len() && points[at][0] < depth {
-                at += 1;
-            }
-            let [[d0, f0, _], [d1, _, slope]] = [points[at - 1], points[at]];
-            // A row at the fold may be a little beyond it by rounding.
-            forces[*index] = (depth >= points[0][0] - 1e-9 * (d1 - d0)).then(|| f0 + slope * (depth - d0));
-        }
+        let forces = curve.approach.as_ref().filter(|_| self.leg == Leg::Approach).unwrap_or(&curve.retract);
         // Contact is lost on the way out, and found on the way in: rows count from the end that is in contact.
-        let rows = forces.len();
+        let rows = self.states.len();
         let mut sums = [0.0; 3];
         let mut choices = Vec::with_capacity(rows + 1);
         choices.push((sums, rows));
         for count in 1..=rows {
             let row = if self.leg == Leg::Retract { count - 1 } else { rows - count };
-            let Some(force) = forces[row] else { break };
+            let Some(force) = forces.at(self.states[row].depth - shift) else { break };
             sums = plus(sums, [force, force * force, force * self.states[row].force]);
             choices.push((sums, rows - count));
         }

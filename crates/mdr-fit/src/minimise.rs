@@ -31,8 +31,9 @@ struct Place<'o, 'p> {
     objective: &'o Objective<'p>,
     start: &'o [f64],
     fitted: DVector<f64>,
-    /// The last that has a value.
+    /// The last that has a value, and where it is.
     evaluation: Evaluation,
+    evaluated: DVector<f64>,
     has_value: bool,
     evaluations: usize,
 }
@@ -48,6 +49,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Place<'_, '_> {
         self.has_value = found.is_some();
         if let Some(evaluation) = found {
             self.evaluation = evaluation;
+            self.evaluated.clone_from(fitted);
         }
         self.evaluations += 1;
     }
@@ -81,35 +83,34 @@ impl Place<'_, '_> {
 /// Where Levenberg–Marquardt ends.
 pub(super) struct End {
     pub(super) fitted: Vec<f64>,
-    /// The sum of squares there.
-    pub(super) cost: f64,
-    /// At the last place that was tried: there, or next to it.
-    pub(super) near: Evaluation,
+    /// The objective there.
+    pub(super) evaluation: Evaluation,
     pub(super) evaluations: usize,
 }
 
-/// Descends from `start`; `tolerance` is that of the sum of squares and of the step. Folds are followed from an evaluation at the start, if
-/// there is one.
+/// Descends from `start`, where the objective has been evaluated; `tolerance` is that of the sum of squares and of the step.
 ///
 /// # Errors
-/// Where the objective has no value at the start.
+/// Where the objective has no value at a bound that the descent has gone beyond.
 pub(super) fn descend(
     objective: &Objective<'_>,
     start: &[f64],
-    before: Option<&Evaluation>,
+    evaluation: Evaluation,
     tolerance: f64,
     patience: usize,
 ) -> mdr_core::contact::Result<End> {
-    let (fitted, evaluation) = (DVector::from_column_slice(start), objective.evaluate(start, before)?);
-    let place = Place { objective, start, fitted, evaluation, has_value: true, evaluations: 1 };
+    let fitted = DVector::from_column_slice(start);
+    let evaluated = fitted.clone();
+    let place = Place { objective, start, fitted, evaluation, evaluated, has_value: true, evaluations: 1 };
     let method = LevenbergMarquardt::new().with_tol(tolerance).with_patience(patience).with_stepbound(1.0);
-    let (place, report) = method.minimize(place);
-    Ok(End {
-        fitted: inside_bounds(objective, place.fitted.as_slice()),
-        cost: 2.0 * report.objective_function,
-        near: place.evaluation,
-        evaluations: place.evaluations,
-    })
+    let (place, _) = method.minimize(place);
+    let fitted = inside_bounds(objective, place.fitted.as_slice());
+    let evaluation = if place.evaluated.as_slice() == fitted.as_slice() {
+        place.evaluation
+    } else {
+        objective.evaluate(&fitted, Some(&place.evaluation))?
+    };
+    Ok(End { fitted, evaluation, evaluations: place.evaluations })
 }
 
 /// Values beyond their bounds come back to them.
@@ -144,21 +145,20 @@ impl Precision {
     }
 }
 
-/// Gauss–Newton steps from near a minimum; Newton steps where the curvature of the curve beside a fold keeps the others from
-/// converging.
+/// Gauss–Newton steps from near a minimum, where the objective has been evaluated; Newton steps where the curvature of the curve beside a
+/// fold keeps the others from converging.
 ///
 /// # Errors
-/// Where the objective has no value.
+/// Errors of the transform.
 pub(super) fn polish(
     objective: &Objective<'_>,
     start: &[f64],
-    before: Option<&Evaluation>,
+    mut evaluation: Evaluation,
     mut evaluations: usize,
     precision: Precision,
 ) -> mdr_core::contact::Result<Minimum> {
     let [smallest, slow] = precision.steps();
     let mut fitted = start.to_vec();
-    let mut evaluation = objective.evaluate(&fitted, before)?;
     let mut jacobian = objective.jacobian(&fitted, &evaluation)?;
     let mut hessian: Option<DMatrix<f64>> = None;
     let mut last = f64::INFINITY;

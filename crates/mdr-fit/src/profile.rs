@@ -159,9 +159,10 @@ impl<'o, 'p> Profile<'o, 'p> {
             self.budget = self.budget.saturating_sub(1);
             cost += objective.evaluate(&[], None)?.cost();
         } else {
-            let end = minimise::descend(&objective, &self.others, None, 1e-11, 100)?;
+            let start = objective.evaluate(&self.others, None)?;
+            let end = minimise::descend(&objective, &self.others, start, 1e-11, 100)?;
             self.budget = self.budget.saturating_sub(end.evaluations);
-            cost += objective.evaluate(&end.fitted, None)?.cost();
+            cost += end.evaluation.cost();
             self.others = end.fitted;
         }
         self.lowest = self.lowest.min(cost);
