@@ -224,6 +224,10 @@ impl<R: Real> Transform<R> for CountingTransform<R> {
         self.count(2, |inner| inner.above_mean(x))
     }
 
+    fn mean_square(&self, x: &R) -> Option<Result<R>> {
+        self.count(2, |inner| inner.mean_square(x).transpose()).transpose()
+    }
+
     fn outer_radius(&self) -> Option<R> {
         self.inner.outer_radius()
     }

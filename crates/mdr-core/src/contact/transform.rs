@@ -63,6 +63,15 @@ pub trait Transform<R: Real>: Send + Sync {
         Ok(self.g(x)? - self.mean(x)?)
     }
 
+    /// The mean of g² over the springs, (1/S)∫₀ˣ S'g² ds, in m²: a contact of depth d stores ½S(d² − 2d·mean + mean square). `None`
+    /// without a closed form.
+    ///
+    /// # Errors
+    /// Where x is outside the radius range, see [`Transform::g`].
+    fn mean_square(&self, _x: &R) -> Option<Result<R>> {
+        None
+    }
+
     /// The radius beyond which g is not defined, if there is one.
     fn outer_radius(&self) -> Option<R> {
         None
@@ -139,6 +148,10 @@ macro_rules! forward {
 
             fn above_mean(&self, x: &R) -> Result<R> {
                 (**self).above_mean(x)
+            }
+
+            fn mean_square(&self, x: &R) -> Option<Result<R>> {
+                (**self).mean_square(x)
             }
 
             fn outer_radius(&self) -> Option<R> {

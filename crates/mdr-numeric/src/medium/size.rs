@@ -14,6 +14,13 @@ impl<R: Special> Medium<R> {
         }
     }
 
+    /// A of a contact of this size.
+    #[cfg(feature = "mp")]
+    pub(crate) fn area(&self, size: &R) -> R {
+        let [factor, one, other] = self.area_factors(size);
+        one * &other * &factor
+    }
+
     /// The size of a contact with this contact radius or half-width, in m, if there is one.
     ///
     /// ```

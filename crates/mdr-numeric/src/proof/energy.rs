@@ -1,16 +1,18 @@
 //! The energy of states over enclosures.
 //!
-//! Π(a, d) = E*(a d² − 2d ∫₀ᵃ g dx + ∫₀ᵃ g² dx) − πa²w. The integral of g² is [rigorous](mdr_core::calculus::enclose): its nodes
-//! take g from the transform, its remainders from the [continuation](super::Continuation) of the profile. From the axis on the
-//! variable is a root of the radius, where the profile has fractional powers of it.
+//! Π(a, d) = ½S(d² − 2d·ḡ + q) − Aw, with the means ḡ of g and q of g² over the springs. Where the transform has no closed form of q, and on
+//! a half-space, where it is (1/a)∫₀ᵃ g² dx, the integral is [rigorous](mdr_core::calculus::enclose): its nodes take g from the transform,
+//! its remainders from the [continuation](super::Continuation) of the profile. From the axis on the variable is a root of the radius, where
+//! the profile has fractional powers of it.
 
 use mdr_core::calculus::enclose::{BOUND_BITS, Goal, Sampled, enclose};
-use mdr_core::contact::{Control, Error, Quantity, Result, Transform};
-use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle};
+use mdr_core::contact::{Control, Error, Quantity, Result};
+use mdr_core::number::{Interval, Precision, Real};
 use rug::Float;
 
-use super::continuation::{Continuation, Stretch, leg, up};
+use super::continuation::{Continuation, up};
 use super::kinks::at_edge;
+use super::squares::SquareIntegral;
 use crate::contact::Contact;
 use crate::path::ContactState;
 
@@ -21,7 +23,8 @@ const SPARE: i32 = 6;
 /// Where the integrand is looked at for its size.
 const SAMPLES: [f64; 5] = [0.97, 0.71, 0.43, 0.23, 0.05];
 
-/// The energies of the states of a contact on a half-space, as enclosures.
+/// The energies of the states of a contact as enclosures: on a half-space, and where the mean of g² has a
+/// [closed form](mdr_core::contact::Transform::mean_square).
 ///
 /// ```
 /// use std::sync::Arc;
@@ -41,15 +44,42 @@ const SAMPLES: [f64; 5] = [0.97, 0.71, 0.43, 0.23, 0.05];
 /// ```
 pub struct EnclosedEnergy<'a> {
     contact: &'a Contact<Interval>,
-    profile: &'a Continuation,
+    /// ∫g²; `None` where the mean of g² is a closed form.
+    integral: Option<SquareIntegral<'a>>,
 }
 
 impl<'a> EnclosedEnergy<'a> {
+    /// By the integral of g².
+    ///
     /// # Errors
     /// [`Error::Domain`] on another medium than a half-space.
     pub fn new(contact: &'a Contact<Interval>, profile: &'a Continuation) -> Result<Self> {
         super::check_half_space(contact)?;
-        Ok(EnclosedEnergy { contact, profile })
+        Ok(EnclosedEnergy { contact, integral: Some(SquareIntegral { contact, profile }) })
+    }
+
+    /// By the closed form of the mean of g², which the transform has: that of powers on a graded half-space or a Winkler foundation, and of
+    /// Johnson's wave.
+    ///
+    /// ```
+    /// use mdr_core::contact::Control;
+    /// use mdr_core::number::{Interval, Precision, Real};
+    /// use mdr_numeric::contact::Contact;
+    /// use mdr_numeric::medium::{Adhesion, Medium};
+    /// use mdr_numeric::proof::EnclosedEnergy;
+    /// use mdr_numeric::transform::Powers;
+    /// let number = |text: &str| Interval::from_literal(Precision::new(100), &text.parse().expect("a number"));
+    /// let (ball, springs) = (Powers::winkler([(number("2"), number("0.5"))])?, Medium::winkler(number("3"))?);
+    /// let contact = Contact::new(ball, springs, Adhesion::new(number("0.1"))?, Control::Indentation);
+    /// let energy = EnclosedEnergy::closed(&contact).potential(&number("0.4"), &number("0.2"))?;
+    /// // (K/2)∫(d − r²/2)² 2πr dr − πa²w.
+    /// let pi = std::f64::consts::PI;
+    /// let by_hand = 3.0 * pi * (0.2 * 0.2 * 0.08 - 0.2 * 0.0064 + 0.4f64.powi(6) / 24.0) - pi * 0.016;
+    /// assert!((energy.approx() / by_hand - 1.0).abs() < 1e-14 && energy.accuracy_bits() > 80);
+    /// # Ok::<(), mdr_core::contact::Error>(())
+    /// ```
+    pub fn closed(contact: &'a Contact<Interval>) -> Self {
+        EnclosedEnergy { contact, integral: None }
     }
 
     /// Π(a, d), in J.
@@ -57,8 +87,16 @@ impl<'a> EnclosedEnergy<'a> {
     /// # Errors
     /// [`Error::Domain`] unless a is positive; errors of the transform; [`Error::Unproved`] where the integral takes too many pieces.
     pub fn potential(&self, a: &Interval, d: &Interval) -> Result<Interval> {
-        let squares = self.squares(std::slice::from_ref(a))?;
-        self.with_square(a, d, &squares[0])
+        let mut squares = self.mean_squares(std::slice::from_ref(a))?;
+        self.with_square(a, d, &squares.swap_remove(0))
+    }
+
+    /// dF/dd along the equilibria at a, in N/m.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] where it is not certain that the state is no fold of the indentation; errors of the transform.
+    pub fn stiffness(&self, a: &Interval) -> Result<Interval> {
+        super::fields::stiffness(self.contact, a)
     }
 
     /// What is stored in each of some states, in J: Π, and F²/2k in the spring of a machine; 0 where the surfaces are apart or meet
@@ -69,7 +107,7 @@ impl<'a> EnclosedEnergy<'a> {
     pub fn stored(&self, states: &[&ContactState<Interval>]) -> Result<Vec<Option<StoredEnergy>>> {
         let radii: Vec<Interval> =
             states.iter().filter_map(|state| Some(extended(state)?.contact_radius.clone())).collect();
-        let mut squares = self.squares(&radii)?.into_iter();
+        let mut squares = self.mean_squares(&radii)?.into_iter();
         let of = |state: &&ContactState<Interval>| match (extended(state), state) {
             (_, ContactState::Complete) => Ok(None),
             (None, _) => Ok(Some(StoredEnergy(None))),
@@ -85,94 +123,53 @@ impl<'a> EnclosedEnergy<'a> {
         states.iter().map(of).collect()
     }
 
-    /// Π from ∫₀ᵃ g².
+    /// Π from the mean of g².
     fn with_square(&self, a: &Interval, d: &Interval, square: &Interval) -> Result<Interval> {
         let mean = self.mean(a)?;
-        let elastic = (d.clone() * (d.clone() - mean.times(2)) * a + square) * self.contact.modulus();
-        Ok(elastic - a.square() * a.pi() * self.contact.adhesion().work())
+        let stored = (d.clone() * (d.clone() - mean.times(2)) + square) * self.contact.stiffness(a);
+        Ok(stored.over(2) - self.contact.medium().area(a) * self.contact.adhesion().work())
     }
 
-    /// (1/a) ∫₀ᵃ g dx. From a kink to a radius that is not told apart from it g changes its mean by its range there at most.
+    /// The mean of g over the springs. From a kink to a radius that is not told apart from it g changes its mean by its range there at most.
     fn mean(&self, a: &Interval) -> Result<Interval> {
-        let beside = match self.contact.transform().mean(a) {
-            Err(error @ Error::Domain { .. }) => at_edge(self.contact, a)?.ok_or(error)?,
-            mean => return mean,
+        let beside = match (self.contact.transform().mean(a), &self.integral) {
+            (Err(error @ Error::Domain { .. }), Some(integral)) => (at_edge(self.contact, a)?.ok_or(error)?, integral),
+            (mean, _) => return mean,
         };
-        let [edge, _, mean] = beside;
+        let ([edge, _, mean], SquareIntegral { profile, .. }) = beside;
         if edge.is_same(a) || self.contact.vertical_edge().is_some_and(|outer_edge| outer_edge.overlaps(a)) {
             return Ok(mean);
         }
-        let g = self.profile.range(&a.hull(&edge)).ok_or_else(|| unproved(a))?;
+        let g = profile.range(&a.hull(&edge)).ok_or_else(|| unproved(a))?;
         let change = (g.abs() + mean.abs()) * (a.clone() - &edge).abs() / a;
         Ok(mean.inflate(&change))
+    }
+
+    /// The mean of g² over the springs for each a, in their order.
+    fn mean_squares(&self, radii: &[Interval]) -> Result<Vec<Interval>> {
+        if self.integral.is_some() {
+            return Ok(self.squares(radii)?.into_iter().zip(radii).map(|(square, a)| square / a).collect());
+        }
+        let without = || {
+            let requirement = "one whose mean of g² is a closed form";
+            Error::Domain { quantity: Quantity::TransformedProfile, value: "another one".to_owned(), requirement }
+        };
+        let square = |a: &Interval| self.contact.transform().mean_square(a).ok_or_else(without)?;
+        radii.iter().map(square).collect()
     }
 
     /// ∫₀ᵃ g² dx for each a, in their order.
     ///
     /// # Errors
-    /// [`EnclosedEnergy::potential`].
+    /// [`Error::Domain`] for an energy by closed forms, or unless each a is positive; errors of the transform; [`Error::Unproved`] where an
+    /// integral takes too many pieces.
     pub fn squares(&self, radii: &[Interval]) -> Result<Vec<Interval>> {
-        let places: Vec<(usize, Interval)> = radii.iter().map(|a| self.place(a)).collect();
-        let mut order: Vec<usize> = (0..radii.len()).collect();
-        order.sort_by(|&i, &j| places[i].1.mid().total_cmp(&places[j].1.mid()));
-        let mut squares = vec![None; radii.len()];
-        let Some(first) = radii.first() else { return Ok(Vec::new()) };
-        let (mut total, mut from, mut beyond) = (first.lit(0), first.lit(0), 0);
-        for index in order {
-            Error::require_positive(Quantity::ContactRadius, radii[index].clone())?;
-            let (end, to) = &places[index];
-            if !self.profile.reaches(to) {
-                return Err(unproved(to));
-            }
-            while beyond < *end {
-                let kink = self.profile.breaks()[beyond].rounded(to.ctx());
-                if !from.is_same(&kink) {
-                    total += &self.square_between(&from, &kink, beyond)?;
-                }
-                (from, beyond) = (kink, beyond + 1);
-            }
-            if !from.is_same(to) {
-                total += &self.square_between(&from, to, beyond)?;
-                from = to.clone();
-            }
-            squares[index] = Some(total.clone() + self.rest(&radii[index], to)?);
-        }
-        Ok(squares.into_iter().flatten().collect())
-    }
-
-    /// How many kinks lie before a radius, and the radius; a kink itself where it may be on either side of it.
-    fn place(&self, a: &Interval) -> (usize, Interval) {
-        let breaks = self.profile.breaks();
-        let before = breaks.partition_point(|b| b.upper() < a.lower());
-        match breaks.get(before) {
-            Some(b) if b.lower() <= a.upper() => (before, b.rounded(a.ctx())),
-            _ => (before, a.clone()),
-        }
-    }
-
-    /// ∫ g² from a kink to a radius that is not told apart from it.
-    fn rest(&self, a: &Interval, place: &Interval) -> Result<Interval> {
-        if a.is_same(place) {
-            return Ok(a.lit(0));
-        }
-        let g = self.profile.range(&a.hull(place)).ok_or_else(|| unproved(a))?;
-        // The range has few bits, its width has less.
-        Ok((a.clone() - place) * g.square())
-    }
-
-    /// ∫ g² between two radii that have so many kinks before them, and none between them.
-    fn square_between(&self, from: &Interval, to: &Interval, beyond: usize) -> Result<Interval> {
-        let base = beyond.checked_sub(1).map(|last| self.profile.breaks()[last].rounded(to.ctx()));
-        let along = |x: &Interval| base.as_ref().map_or_else(|| x.clone(), |b| leg(x, b));
-        if let (None, Some(k), true) = (&base, self.profile.root(), from.upper().is_zero()) {
-            let square = RootedSquare { transform: self.contact.transform(), profile: self.profile, to, k };
-            return over_unit_interval(&square, to.precision()).map_err(|error| located(error, to));
-        }
-        let start = along(from);
-        let length = along(to) - &start;
-        let stretch = Stretch { profile: self.profile, beyond, base, from: start, length };
-        let square = Square { transform: self.contact.transform(), stretch };
-        over_unit_interval(&square, to.precision()).map_err(|error| located(error, to))
+        let none = || Error::Domain {
+            quantity: Quantity::Integral,
+            value: "of an energy by closed forms".to_owned(),
+            requirement: "one by integrals",
+        };
+        self.integral.as_ref().ok_or_else(none)?.up_to(radii)
     }
 }
 
@@ -211,73 +208,6 @@ impl StoredEnergy {
 /// The equilibrium, if the surfaces are in contact on more than a point.
 fn extended(state: &ContactState<Interval>) -> Option<&mdr_core::contact::Equilibrium<Interval>> {
     state.contact().filter(|rest| !rest.contact_radius.upper().is_zero())
-}
-
-/// g² dx/dt.
-struct Square<'a> {
-    transform: &'a dyn Transform<Interval>,
-    stretch: Stretch<'a>,
-}
-
-impl Square<'_> {
-    fn of<T: Analytic>(&self, g: &T, [v, x]: &[T; 2]) -> Option<Vec<T>> {
-        let square = g.squared().scaled(&self.stretch.length);
-        Some(vec![if self.stretch.base.is_some() { square.product(v).quotient(x)? } else { square }])
-    }
-}
-
-impl Sampled for Square<'_> {
-    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
-        let Some(place) = self.stretch.at(t) else { return Ok(None) };
-        Ok(self.of(&self.transform.g(&place[1])?, &place))
-    }
-
-    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        let place = self.stretch.at(t)?;
-        let Stretch { profile, beyond, base, .. } = &self.stretch;
-        let legs = profile.legs(&place[1], *beyond, base.as_ref().map(|_| &place[0]))?;
-        self.of(&profile.g(&place[1], &legs)?, &place)
-    }
-
-    fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
-        let place = self.stretch.over(t)?;
-        self.of(&self.stretch.profile.range(&place[1])?, &place)
-    }
-}
-
-/// g² dx/dt up to a radius x₁ from the axis, where g is analytic as a function of q = x^(1/k) alone: x = x₁tᵏ.
-struct RootedSquare<'a> {
-    transform: &'a dyn Transform<Interval>,
-    profile: &'a Continuation,
-    to: &'a Interval,
-    k: u32,
-}
-
-impl RootedSquare<'_> {
-    fn of<T: Analytic>(&self, g: &T, t: &T) -> Option<Vec<T>> {
-        let slope = t.raised(i64::from(self.k) - 1)?.product(&t.integer(i64::from(self.k)));
-        Some(vec![g.squared().product(&slope).scaled(self.to)])
-    }
-
-    /// From the formula.
-    fn by_formula<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
-        let order = self.to.lit(1).over(i64::from(self.k));
-        self.of(&self.profile.g_at_root(&t.scaled(&self.to.pow(&order)))?, t)
-    }
-}
-
-impl Sampled for RootedSquare<'_> {
-    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
-        Ok(self.of(&self.transform.g(&(t.powi(i64::from(self.k)) * self.to))?, t))
-    }
-
-    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        self.by_formula(t)
-    }
-
-    fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
-        self.by_formula(t)
-    }
 }
 
 /// The integral of one function from 0 to 1.

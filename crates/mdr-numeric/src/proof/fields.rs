@@ -88,12 +88,7 @@ impl<'a> EnclosedFields<'a> {
     /// # Errors
     /// [`Error::Undecided`] where it is not certain that the state is no fold of the indentation; errors of the transform.
     pub fn stiffness(&self) -> Result<Interval> {
-        if self.contact.vertical_edge().is_some_and(|outer_edge| outer_edge.overlaps(&self.a)) {
-            return Ok(self.contact.stiffness(&self.a));
-        }
-        let open =
-            || Error::undecided(Quantity::ContactRadius, &self.a, "whether the state is a fold of the indentation");
-        self.contact.stiffness_along(&self.a)?.filter(Real::is_finite).ok_or_else(open)
+        stiffness(self.contact, &self.a)
     }
 
     /// The displacement u(r) at r > a, in m, positive into the half-space.
@@ -182,6 +177,15 @@ impl<'a> EnclosedFields<'a> {
         let near = self.a.clone().over(NEAR_TIP);
         self.profile.stretch_from_tip(&near).is_some_and(|slope| !slope.contains_zero())
     }
+}
+
+/// dF/dd along the equilibria of a contact.
+pub(super) fn stiffness(contact: &Contact<Interval>, a: &Interval) -> Result<Interval> {
+    if contact.vertical_edge().is_some_and(|outer_edge| outer_edge.overlaps(a)) {
+        return Ok(contact.stiffness(a));
+    }
+    let open = || Error::undecided(Quantity::ContactRadius, a, "whether the state is a fold of the indentation");
+    contact.stiffness_along(a)?.filter(Real::is_finite).ok_or_else(open)
 }
 
 /// dᵏ/dcᵏ c ∫₀^{π/2} sinθ f(a sinθ)/(c² + a² cos²θ) dθ for k from 0 to `order` ≤ 2, where c² = r² − a², at r > a. A contact may end at

@@ -22,6 +22,7 @@ mod gaps;
 mod kinks;
 mod overlap;
 mod range;
+mod squares;
 
 pub use branches::ProvedBranches;
 pub use cells::{ProvedCell, Trend};

@@ -224,6 +224,24 @@ impl<R: Real> Transform<R> for Powers<R> {
         self.sum(x, 0, |term| term.factor.clone() * (term.mean.lit(1) - &term.mean))
     }
 
+    /// Where the mean of xⁿ is m xⁿ, m = q/(n + q) with the order q of the stiffness, that of xⁿxˡ is xⁿ⁺ˡ/(1/m + 1/m' − 1). In line
+    /// contact, m = 0, there is none.
+    fn mean_square(&self, x: &R) -> Option<Result<R>> {
+        if self.terms.iter().any(|term| term.mean == x.lit(0)) {
+            return None;
+        }
+        let height = |term: &Term<R>| Powers { terms: vec![term.clone()] }.g(x);
+        let heights: Result<Vec<R>> = self.terms.iter().map(height).collect();
+        Some(heights.map(|heights| {
+            let rows = self.terms.iter().zip(&heights);
+            let pairs = rows.clone().flat_map(|one| rows.clone().map(move |other| (one, other)));
+            pairs.fold(x.lit(0), |sum, ((one, height), (other, another))| {
+                let share = (one.mean.clone().inv() + other.mean.clone().inv() - x.lit(1)).inv();
+                sum + share * height * another
+            })
+        }))
+    }
+
     fn rises(&self) -> bool {
         self.all_rise()
     }

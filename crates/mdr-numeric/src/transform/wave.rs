@@ -81,6 +81,12 @@ impl<R: Real> Transform<R> for Wave<R> {
         self.representable(b, self.closed(b)? * openness(b, &self.wavelength) * &self.amplitude)
     }
 
+    /// (h₀s)²(1 + Λ/2): without adhesion the energy per area is p*h₀s²/4, and p* = h₀ΛS.
+    fn mean_square(&self, b: &R) -> Option<Result<R>> {
+        let above = openness(b, &self.wavelength).over(2) + b.lit(1);
+        Some(self.closed(b).and_then(|closed| self.representable(b, (closed * &self.amplitude).square() * above)))
+    }
+
     fn rises(&self) -> bool {
         true
     }

@@ -10,7 +10,6 @@ use {
     mdr_core::contact::{Control, Equilibrium, Error, Quantity, Stability, Status},
     mdr_core::number::certify::Enclosure,
     mdr_core::number::{Interval, Real},
-    mdr_numeric::proof::{EnclosedEnergy, EnclosedFields},
     rug::Rational,
 };
 
@@ -77,7 +76,8 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        let items = rigorous::described(certified, self.states, |proved, state, record| {
+        let is_enclosed = certified.encloses_energies()?;
+        let items = rigorous::described(certified, is_enclosed, self.states, |proved, state, record| {
             of_proved(certified, proved, state, record)
         })?;
         Ok(items.map(|items| Output::Energy(List::new(Promise::Certified, items))))
@@ -153,16 +153,17 @@ fn of_proved(
     state: &Equilibrium<Interval>,
     record: PlainState<Enclosure>,
 ) -> Result<EnergyState<Enclosure>> {
-    let energy = EnclosedEnergy::new(&proved.contact, &proved.profile)?;
-    let energy =
-        energy.potential(&state.contact_radius, &state.indentation)? + held(certified.scene, &state.contact_radius);
+    let radius = &state.contact_radius;
+    let [potential, stiffness] =
+        proved.with_energy(|energy| Ok([energy.potential(radius, &state.indentation), energy.stiffness(radius)]))?;
+    let energy = potential? + held(certified.scene, radius);
     let stiffness = match (state.stability, &certified.scene.control) {
         (Stability::Neutral, Control::Indentation) => {
             let requirement = "off the fold of the indentation";
             Err(Error::domain(Quantity::ContactRadius, &state.contact_radius, requirement))
         }
         (Stability::Neutral, Control::Force) => Ok(Rational::new().into()),
-        _ => EnclosedFields::new(&proved.contact, &proved.profile, state)?.stiffness().map(Enclosure::from),
+        _ => stiffness.map(Enclosure::from),
     };
     let verdict = verdict(&*certified.admissibility()?, &state.contact_radius, &state.indentation);
     Ok(EnergyState {

@@ -178,8 +178,9 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
         let [states, at] = self.question();
-        let items = rigorous::described(certified, states, |proved, state, record| {
-            let fields = EnclosedFields::new(&proved.contact, &proved.profile, state)?;
+        let is_enclosed = certified.scene.medium.is_half_space() && certified.formulas()?.is_some();
+        let items = rigorous::described(certified, is_enclosed, states, |proved, state, record| {
+            let fields = EnclosedFields::new(&proved.contact, proved.profile()?, state)?;
             let verdict = verdict(&*certified.admissibility()?, &state.contact_radius, &state.indentation);
             Ok(FieldState {
                 samples: proved_samples::<F>(proved, &fields, at, &state.contact_radius)?,

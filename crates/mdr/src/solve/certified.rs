@@ -6,16 +6,18 @@ use std::sync::Arc;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Literal, Precision};
+use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::admissible::Admissibility;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::Folds;
+use mdr_numeric::proof::EnclosedEnergy;
 use rug::Float;
 
 use super::digits::{MOST_OF_INTEGRALS, agree, decide, decide_within, start};
 use super::model::{Model, SceneReal};
 use super::proof::{self, FoldProof};
 use super::refine::refined;
-use super::rigorous::Formulas;
+use super::rigorous::{Formulas, without_energies};
 use super::search::{Search, not_proved};
 use super::states::States;
 use super::{Once, once};
@@ -53,6 +55,31 @@ impl<'s> Certified<'s> {
     /// Errors that do not leave the question open; see [`Formulas::of`].
     pub(crate) fn formulas(&self) -> Result<Option<&Formulas>> {
         once(&self.formulas, || Ok(proof::decided(Formulas::of(&self.scene.profile))?.flatten())).map(Option::as_ref)
+    }
+
+    /// Whether the energies of states can be enclosed: by integrals over the formula of the profile on a half-space, or by closed forms.
+    ///
+    /// # Errors
+    /// Errors that do not leave the question open; see [`Formulas::of`].
+    pub(crate) fn encloses_energies(&self) -> Result<bool> {
+        Ok(self.scene.has_closed_energies() || self.scene.medium.is_half_space() && self.formulas()?.is_some())
+    }
+
+    /// What `ask` finds out with the energies of a contact of the scene over enclosures.
+    ///
+    /// # Errors
+    /// Errors of `ask`; a profile whose energies cannot be [enclosed](Certified::encloses_energies).
+    pub(crate) fn with_energy<T>(
+        &self,
+        contact: &Contact<Interval>,
+        ask: impl FnOnce(&EnclosedEnergy<'_>) -> Result<T>,
+    ) -> Result<T> {
+        if self.scene.has_closed_energies() {
+            return ask(&EnclosedEnergy::closed(contact));
+        }
+        let formulas = self.formulas()?.ok_or_else(without_energies)?;
+        let profile = formulas.continued(contact.modulus().ctx())?;
+        ask(&EnclosedEnergy::new(contact, &profile)?)
     }
 
     /// Which states are admissible: by the form of the profile, by enclosures of the gap, by proved extrema of g, else in f64.

@@ -171,6 +171,16 @@ impl Scene {
         }
     }
 
+    /// Whether the energies of states are closed forms of their depth and size: on another medium than a half-space, of powers and of a wave.
+    #[cfg(feature = "mp")]
+    pub(crate) fn has_closed_energies(&self) -> bool {
+        match &self.medium {
+            ExactMedium::Graded { .. } | ExactMedium::Winkler { .. } => is_of_powers(&self.profile),
+            ExactMedium::Periodic { .. } => matches!(self.profile, Profile::Wave(_)) && self.works.is_none(),
+            _ => false,
+        }
+    }
+
     /// The rows of a table, where its transform is measured exactly: on a half-space.
     pub(crate) fn exact_rows(&self) -> Option<usize> {
         self.profile.rows().filter(|_| self.medium.is_half_space())

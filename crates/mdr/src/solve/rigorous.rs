@@ -9,7 +9,7 @@ use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::path::{ContactState, Path};
-use mdr_numeric::proof::{Continuation, ProvedBranches};
+use mdr_numeric::proof::{Continuation, EnclosedEnergy, ProvedBranches};
 
 use super::certified::Certified;
 use super::digits::{MOST_OF_INTEGRALS, decide_within, start};
@@ -77,21 +77,48 @@ fn without_formula(error: ExpressionError) -> Error {
     }
 }
 
+/// Of a profile that has neither formulas nor closed forms.
+pub(crate) fn without_energies() -> Error {
+    let (quantity, remedy) = (Quantity::Energy, "energies are not enclosed");
+    Error::Unproved { quantity, from: "the profile".to_owned(), to: "the profile".to_owned(), remedy }
+}
+
 /// The contact over enclosures, with all that is proved about its states.
 pub(crate) struct Proved {
     pub(crate) enclosed: Enclosed,
     pub(crate) contact: mdr_numeric::contact::Contact<Interval>,
-    pub(crate) profile: Continuation,
+    /// Where there are formulas of it, on a half-space.
+    profile: Option<Continuation>,
     branches: ProvedBranches,
 }
 
 impl Proved {
-    fn new(certified: &Certified<'_>, folds: &FoldProof, formulas: &Formulas, precision: Precision) -> Result<Self> {
+    fn new(certified: &Certified<'_>, folds: &FoldProof, precision: Precision) -> Result<Self> {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
         let branches = branches.with_admissibility(certified.admissibility()?);
-        let profile = formulas.continued(precision)?;
+        let formulas = certified.formulas()?.filter(|_| certified.scene.medium.is_half_space());
+        let profile = formulas.map(|formulas| formulas.continued(precision)).transpose()?;
         Ok(Proved { contact: enclosed.value.contact(), enclosed, profile, branches })
+    }
+
+    /// The profile over sets of radii.
+    ///
+    /// # Errors
+    /// A profile that has no formulas, or another medium than a half-space.
+    pub(crate) fn profile(&self) -> Result<&Continuation> {
+        self.profile.as_ref().ok_or_else(without_energies)
+    }
+
+    /// What `ask` finds out with the energies of the contact.
+    ///
+    /// # Errors
+    /// Errors of `ask`.
+    pub(crate) fn with_energy<T>(&self, ask: impl FnOnce(&EnclosedEnergy<'_>) -> Result<T>) -> Result<T> {
+        match &self.profile {
+            Some(profile) => ask(&EnclosedEnergy::new(&self.contact, profile)?),
+            None => ask(&EnclosedEnergy::closed(&self.contact)),
+        }
     }
 
     /// The equilibrium in which the path starts; `None` if the surfaces are apart.
@@ -118,13 +145,14 @@ impl Proved {
 /// Records at values, as they are printed.
 type Described<T> = Vec<AtValue<<T as Numbers<Enclosure>>::With<Number>>>;
 
-/// The record of every equilibrium at the values, of the state in which the path starts without values; `None` if not all of it
+/// Where what is described of a state can be enclosed: the record of every equilibrium at the values, of the state in which the path starts without values; `None` if not all of it
 /// can be proved.
 ///
 /// # Errors
 /// Errors of the transform; a value out of its domain.
 pub(crate) fn described<T: Numbers<Enclosure>>(
     certified: &Certified<'_>,
+    is_enclosed: bool,
     values: &[Literal],
     describe: impl Fn(&Proved, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
 ) -> Result<Option<Described<T>>>
@@ -133,13 +161,12 @@ where
 {
     let scene = certified.scene;
     // Within a range that the scene names not all equilibria need be listed.
-    if scene.range.is_some() || scene.has_two_works() || !scene.medium.is_half_space() {
+    if scene.range.is_some() || scene.has_two_works() || !is_enclosed {
         return Ok(None);
     }
-    let Some(formulas) = certified.formulas()? else { return Ok(None) };
     let Some(folds) = certified.fold_proof()? else { return Ok(None) };
     reached(decide_within(MOST_OF_INTEGRALS, start(certified.digits), certified.digits, |precision| {
-        let proved = Proved::new(certified, folds, formulas, precision)?;
+        let proved = Proved::new(certified, folds, precision)?;
         let one = |state: Equilibrium<Interval>, literal: &Literal| {
             let record = plain(&proved, state.clone(), literal, &scene.control);
             describe(&proved, &state, record)

@@ -10,7 +10,7 @@ use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Real};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::path::{ContactState, Event, EventKind, Path};
-use mdr_numeric::proof::{Continuation, EnclosedEnergy, StoredEnergy};
+use mdr_numeric::proof::{EnclosedEnergy, StoredEnergy};
 
 use super::energies::{lost_in, returns, value, work_in};
 use super::{Balance, Dissipation, PathEvent, PathNumbers, changes};
@@ -26,9 +26,9 @@ pub(super) fn of_path(
     path: &Path<Interval>,
     way: &[Literal],
     contact: &Contact<Interval>,
-    profile: &Continuation,
+    energy: &EnclosedEnergy<'_>,
 ) -> Result<PathNumbers<Enclosure>> {
-    let stored = Stored::new(path, contact, profile)?;
+    let stored = Stored::new(path, contact, energy)?;
     let (mut jumps, mut hysteresis) = (Some(StoredEnergy::default()), StoredEnergy::default());
     let mut before = path.events.first().map(|event| &event.before);
     let mut events: Vec<PathEvent<Enclosure>> = Vec::new();
@@ -70,8 +70,7 @@ struct Stored {
 }
 
 impl Stored {
-    fn new(path: &Path<Interval>, contact: &Contact<Interval>, profile: &Continuation) -> Result<Self> {
-        let energy = EnclosedEnergy::new(contact, profile)?;
+    fn new(path: &Path<Interval>, contact: &Contact<Interval>, energy: &EnclosedEnergy<'_>) -> Result<Self> {
         let states: Vec<&ContactState<Interval>> =
             path.events.iter().flat_map(|event| [&event.before, &event.after]).collect();
         let mut all = energy.stored(&states)?.into_iter();

@@ -82,18 +82,16 @@ impl Followed {
     pub(super) fn proved_energy(&mut self, pair: &Pair<'_, '_>) -> Result<Option<PathNumbers<Number>>> {
         let certified = pair.edges[1];
         let scene = certified.scene;
-        if !scene.medium.is_half_space() {
+        if !certified.encloses_energies()? || scene.medium.is_periodic() {
             return Ok(None);
         }
-        let Some(formulas) = certified.formulas()? else { return Ok(None) };
         let begin = Precision::new(self.bits);
         reached(decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |precision| {
             if self.bits < precision.bits() {
                 *self = Followed::new(pair, precision)?;
             }
-            let model: Model<Interval> = certified.model(precision)?;
-            let profile = formulas.continued(precision)?;
-            edges_energies::of_path(&self.path, &scene.path, &model.at(Edge::Advancing).contact(), &profile)
+            let contact = certified.model::<Interval>(precision)?.at(Edge::Advancing).contact();
+            certified.with_energy(&contact, |energy| edges_energies::of_path(&self.path, &scene.path, &contact, energy))
         }))
     }
 

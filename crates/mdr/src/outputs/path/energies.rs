@@ -8,7 +8,7 @@ use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::path::{ContactState, Event, EventKind, Path};
-use mdr_numeric::proof::{Continuation, EnclosedEnergy, StoredEnergy};
+use mdr_numeric::proof::{EnclosedEnergy, StoredEnergy};
 use rug::Rational;
 
 use super::{Balance, Dissipation, PathEvent, PathNumbers, changes};
@@ -22,9 +22,8 @@ pub(super) fn of_path(
     path: &Path<Interval>,
     way: &[Literal],
     contact: &Contact<Interval>,
-    profile: &Continuation,
+    energy: &EnclosedEnergy<'_>,
 ) -> Result<PathNumbers<Enclosure>> {
-    let energy = EnclosedEnergy::new(contact, profile)?;
     let finite: Vec<&Event<Interval>> =
         path.events.iter().filter(|event| changes(event.kind) && !is_unbounded(event, contact)).collect();
     let ends = [path.events.first(), path.events.last()].into_iter().flatten().map(|event| &event.after);

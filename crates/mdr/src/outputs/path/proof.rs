@@ -6,7 +6,7 @@ use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
-use mdr_numeric::path::{Event, Path};
+use mdr_numeric::path::{Event, EventKind, Path};
 use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
@@ -106,18 +106,17 @@ impl Followed {
         folds: &FoldProof,
     ) -> Result<Option<PathNumbers<Number>>> {
         let scene = certified.scene;
-        if !scene.medium.is_half_space() {
+        let becomes_complete = || self.path.events.iter().any(|event| event.kind == EventKind::CompleteContact);
+        if !certified.encloses_energies()? || !scene.medium.is_half_space() && becomes_complete() {
             return Ok(None);
         }
-        let Some(formulas) = certified.formulas()? else { return Ok(None) };
         let begin = Precision::new(self.bits);
         reached(decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |precision| {
             if self.bits < precision.bits() {
                 *self = Followed::new(certified, folds, precision)?;
             }
-            let model: Model<Interval> = certified.model(precision)?;
-            let profile = formulas.continued(precision)?;
-            energies::of_path(&self.path, &scene.path, &model.contact(), &profile)
+            let contact = certified.model::<Interval>(precision)?.contact();
+            certified.with_energy(&contact, |energy| energies::of_path(&self.path, &scene.path, &contact, energy))
         }))
     }
 }

@@ -1,0 +1,152 @@
+//! ∫₀ᵃ g² dx over enclosures, for the energies of a half-space.
+
+use mdr_core::calculus::enclose::Sampled;
+use mdr_core::contact::{Error, Quantity, Result, Transform};
+use mdr_core::number::{Analytic, Interval, Real, Rectangle};
+
+use super::continuation::{Continuation, Stretch, leg};
+use super::energy::{located, over_unit_interval, unproved};
+use crate::contact::Contact;
+
+/// The integral of g², piece by piece between the kinks.
+pub(super) struct SquareIntegral<'a> {
+    pub(super) contact: &'a Contact<Interval>,
+    pub(super) profile: &'a Continuation,
+}
+
+impl SquareIntegral<'_> {
+    /// ∫₀ᵃ g² dx for each a, in their order.
+    ///
+    /// # Errors
+    /// Those of [`EnclosedEnergy::squares`](super::EnclosedEnergy::squares).
+    pub(super) fn up_to(&self, radii: &[Interval]) -> Result<Vec<Interval>> {
+        let places: Vec<(usize, Interval)> = radii.iter().map(|a| self.place(a)).collect();
+        let mut order: Vec<usize> = (0..radii.len()).collect();
+        order.sort_by(|&i, &j| places[i].1.mid().total_cmp(&places[j].1.mid()));
+        let mut squares = vec![None; radii.len()];
+        let Some(first) = radii.first() else { return Ok(Vec::new()) };
+        let (mut total, mut from, mut beyond) = (first.lit(0), first.lit(0), 0);
+        for index in order {
+            Error::require_positive(Quantity::ContactRadius, radii[index].clone())?;
+            let (end, to) = &places[index];
+            if !self.profile.reaches(to) {
+                return Err(unproved(to));
+            }
+            while beyond < *end {
+                let kink = self.profile.breaks()[beyond].rounded(to.ctx());
+                if !from.is_same(&kink) {
+                    total += &self.square_between(&from, &kink, beyond)?;
+                }
+                (from, beyond) = (kink, beyond + 1);
+            }
+            if !from.is_same(to) {
+                total += &self.square_between(&from, to, beyond)?;
+                from = to.clone();
+            }
+            squares[index] = Some(total.clone() + self.rest(&radii[index], to)?);
+        }
+        Ok(squares.into_iter().flatten().collect())
+    }
+
+    /// How many kinks lie before a radius, and the radius; a kink itself where it may be on either side of it.
+    fn place(&self, a: &Interval) -> (usize, Interval) {
+        let breaks = self.profile.breaks();
+        let before = breaks.partition_point(|b| b.upper() < a.lower());
+        match breaks.get(before) {
+            Some(b) if b.lower() <= a.upper() => (before, b.rounded(a.ctx())),
+            _ => (before, a.clone()),
+        }
+    }
+
+    /// ∫ g² from a kink to a radius that is not told apart from it.
+    fn rest(&self, a: &Interval, place: &Interval) -> Result<Interval> {
+        if a.is_same(place) {
+            return Ok(a.lit(0));
+        }
+        let g = self.profile.range(&a.hull(place)).ok_or_else(|| unproved(a))?;
+        // The range has few bits, its width has less.
+        Ok((a.clone() - place) * g.square())
+    }
+
+    /// ∫ g² between two radii that have so many kinks before them, and none between them.
+    fn square_between(&self, from: &Interval, to: &Interval, beyond: usize) -> Result<Interval> {
+        let base = beyond.checked_sub(1).map(|last| self.profile.breaks()[last].rounded(to.ctx()));
+        let along = |x: &Interval| base.as_ref().map_or_else(|| x.clone(), |b| leg(x, b));
+        if let (None, Some(k), true) = (&base, self.profile.root(), from.upper().is_zero()) {
+            let square = RootedSquare { transform: self.contact.transform(), profile: self.profile, to, k };
+            return over_unit_interval(&square, to.precision()).map_err(|error| located(error, to));
+        }
+        let start = along(from);
+        let length = along(to) - &start;
+        let stretch = Stretch { profile: self.profile, beyond, base, from: start, length };
+        let square = Square { transform: self.contact.transform(), stretch };
+        over_unit_interval(&square, to.precision()).map_err(|error| located(error, to))
+    }
+}
+
+/// g² dx/dt.
+struct Square<'a> {
+    transform: &'a dyn Transform<Interval>,
+    stretch: Stretch<'a>,
+}
+
+impl Square<'_> {
+    fn of<T: Analytic>(&self, g: &T, [v, x]: &[T; 2]) -> Option<Vec<T>> {
+        let square = g.squared().scaled(&self.stretch.length);
+        Some(vec![if self.stretch.base.is_some() { square.product(v).quotient(x)? } else { square }])
+    }
+}
+
+impl Sampled for Square<'_> {
+    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
+        let Some(place) = self.stretch.at(t) else { return Ok(None) };
+        Ok(self.of(&self.transform.g(&place[1])?, &place))
+    }
+
+    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
+        let place = self.stretch.at(t)?;
+        let Stretch { profile, beyond, base, .. } = &self.stretch;
+        let legs = profile.legs(&place[1], *beyond, base.as_ref().map(|_| &place[0]))?;
+        self.of(&profile.g(&place[1], &legs)?, &place)
+    }
+
+    fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
+        let place = self.stretch.over(t)?;
+        self.of(&self.stretch.profile.range(&place[1])?, &place)
+    }
+}
+
+/// g² dx/dt up to a radius x₁ from the axis, where g is analytic as a function of q = x^(1/k) alone: x = x₁tᵏ.
+struct RootedSquare<'a> {
+    transform: &'a dyn Transform<Interval>,
+    profile: &'a Continuation,
+    to: &'a Interval,
+    k: u32,
+}
+
+impl RootedSquare<'_> {
+    fn of<T: Analytic>(&self, g: &T, t: &T) -> Option<Vec<T>> {
+        let slope = t.raised(i64::from(self.k) - 1)?.product(&t.integer(i64::from(self.k)));
+        Some(vec![g.squared().product(&slope).scaled(self.to)])
+    }
+
+    /// From the formula.
+    fn by_formula<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
+        let order = self.to.lit(1).over(i64::from(self.k));
+        self.of(&self.profile.g_at_root(&t.scaled(&self.to.pow(&order)))?, t)
+    }
+}
+
+impl Sampled for RootedSquare<'_> {
+    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
+        Ok(self.of(&self.transform.g(&(t.powi(i64::from(self.k)) * self.to))?, t))
+    }
+
+    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
+        self.by_formula(t)
+    }
+
+    fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
+        self.by_formula(t)
+    }
+}
