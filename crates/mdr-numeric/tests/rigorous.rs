@@ -144,3 +144,96 @@ fn a_tip_with_a_slope_has_an_infinite_pressure() {
     assert!(matches!(error, Error::Domain { .. }), "{error}");
     assert!(fields.pressure(&number("1e-9", 100)).is_ok());
 }
+
+/// Energies by the mean of g² as a closed form.
+mod closed {
+    use mdr_numeric::medium::{Adhesion, Medium};
+    use mdr_numeric::transform::{Powers, Wave};
+
+    use super::*;
+
+    /// A cubic polynomial without its square on graded half-spaces and springs, and a wave.
+    const CONTACTS: [&str; 4] = ["graded", "softer", "winkler", "wave"];
+
+    fn contact<R: Real>(medium: &str, number: impl Fn(&str) -> R) -> Contact<R> {
+        let terms = || [(number("1"), number("0.3")), (number("3"), number("0.7"))];
+        let (modulus, adhesion) = (number("2"), Adhesion::new(number("1e-2")).unwrap());
+        let graded = |k: &str| {
+            let k = number(k);
+            // Of any G xⁿ the mean is (1 + k)/(n + 1 + k).
+            let term = |(n, factor): (R, R)| {
+                let order = k.lit(1) + &k;
+                let mean = order.clone() / (order + &n);
+                [n, factor, mean]
+            };
+            let transform = Powers::new(terms().map(term)).unwrap();
+            (Box::new(transform) as Box<dyn Transform<R>>, Medium::graded(number("2"), k).unwrap())
+        };
+        let (transform, medium) = match medium {
+            "graded" => graded("0.3"),
+            "softer" => graded("-0.45"),
+            "winkler" => (Box::new(Powers::winkler(terms()).unwrap()) as _, Medium::winkler(modulus).unwrap()),
+            _ => {
+                let wave = Wave::new(number("0.1"), number("1.5")).unwrap();
+                (Box::new(wave) as _, Medium::periodic(modulus, number("1.5")).unwrap())
+            }
+        };
+        Contact::sharing(Arc::from(transform), medium, adhesion, Control::Indentation)
+    }
+
+    fn enclosed(medium: &str, bits: u32) -> Interval {
+        let contact = contact(medium, |text| number(text, bits));
+        EnclosedEnergy::closed(&contact).potential(&number("0.37", bits), &number("0.05", bits)).unwrap()
+    }
+
+    /// The integrals over the springs, and over the loading of a wave, find what the closed forms do.
+    #[test]
+    fn integrals_over_the_springs_find_them() {
+        for medium in CONTACTS {
+            let contact = contact(medium, |text| text.parse::<f64>().unwrap());
+            let found = Energy::new(contact).unwrap().potential(&0.37, &0.05).unwrap();
+            let proved = enclosed(medium, 120);
+            assert!(proved.accuracy_bits() > 100, "{medium}: {proved}");
+            assert!((proved.approx() - found).abs() < 1e-14, "{medium}: {proved} {found}");
+        }
+    }
+
+    #[test]
+    fn few_bits_contain_the_truth() {
+        for medium in CONTACTS {
+            let truth = enclosed(medium, 400);
+            for bits in 8..30 {
+                let found = enclosed(medium, bits);
+                assert!(found.overlaps(&truth), "{medium} at {bits} bits: {found} without {truth}");
+            }
+        }
+    }
+
+    /// Along a path of states ½S(d² − 2d·ḡ + q) − Aw is stationary where the contact is in equilibrium, also where q is of several terms.
+    #[test]
+    fn they_are_stationary_in_equilibrium() {
+        for medium in CONTACTS {
+            let contact = contact(medium, |text| number(text, 200));
+            let (a, step) = (number("0.37", 200), number("1e-12", 200));
+            let d = contact.indentation(&a).unwrap();
+            let energy = EnclosedEnergy::closed(&contact);
+            let at = |a: Interval| energy.potential(&a, &d).unwrap();
+            let [above, below] = [at(a.clone() + &step), at(a.clone() - &step)];
+            let slope = (above - below) / step.times(2);
+            assert!(slope.approx().abs() < 1e-20, "{medium}: {slope}");
+        }
+    }
+
+    /// What complete contact stores is the limit of what contacts store that close.
+    #[test]
+    fn complete_contact_is_the_limit() {
+        let contact = contact("wave", |text| number(text, 200));
+        let [depth, _] = contact.transform().complete().unwrap();
+        let energy = EnclosedEnergy::closed(&contact);
+        let near = energy.potential(&number("1e20", 200), &depth).unwrap();
+        let complete = energy.complete(&depth).unwrap();
+        let apart = near - complete.energy().unwrap();
+        assert!(apart.approx().abs() < 1e-19, "{apart}");
+        assert!((complete.energy().unwrap().approx() - (2.0 * std::f64::consts::PI * 0.01 / 6.0 - 0.01)).abs() < 1e-16);
+    }
+}

@@ -228,6 +228,10 @@ impl<R: Real> Transform<R> for CountingTransform<R> {
         self.count(2, |inner| inner.mean_square(x).transpose()).transpose()
     }
 
+    fn complete(&self) -> Option<[R; 2]> {
+        self.inner.complete()
+    }
+
     fn outer_radius(&self) -> Option<R> {
         self.inner.outer_radius()
     }

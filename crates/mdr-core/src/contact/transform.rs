@@ -72,6 +72,12 @@ pub trait Transform<R: Real>: Send + Sync {
         None
     }
 
+    /// Of complete contact on a periodic medium: its depth, and what it stores per area over the modulus, both in m. `None` without closed
+    /// forms, and elsewhere.
+    fn complete(&self) -> Option<[R; 2]> {
+        None
+    }
+
     /// The radius beyond which g is not defined, if there is one.
     fn outer_radius(&self) -> Option<R> {
         None
@@ -152,6 +158,10 @@ macro_rules! forward {
 
             fn mean_square(&self, x: &R) -> Option<Result<R>> {
                 (**self).mean_square(x)
+            }
+
+            fn complete(&self) -> Option<[R; 2]> {
+                (**self).complete()
             }
 
             fn outer_radius(&self) -> Option<R> {

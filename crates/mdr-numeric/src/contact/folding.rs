@@ -34,16 +34,17 @@ impl<R: Real> Contact<R> {
             return Err(Error::OutOfRange { quantity: Quantity::Stiffness, log10 });
         }
         let (slope, height) = (self.transform.slope(a)?, self.transform.g(a)?);
+        let out_of_range = || {
+            let log10 = a.ln().approx() * std::f64::consts::LOG10_E;
+            Err(Error::OutOfRange { quantity: Quantity::Indentation, log10 })
+        };
         let has_digits = |x: &R| a.unit_roundoff().square() * x.abs() > a.lit(0);
+        if !height.is_finite() {
+            return out_of_range();
+        }
         if !has_digits(&(slope.clone() * a)) && !has_digits(&height) {
             // A flat is neutral and comes to rest at its end. What rises from the tip on is there below the range of the arithmetic.
-            return match self.flat()? {
-                Some(end) => Ok(a.lit(if *a < end { 0 } else { 2 })),
-                None => {
-                    let log10 = a.ln().approx() * std::f64::consts::LOG10_E;
-                    Err(Error::OutOfRange { quantity: Quantity::Indentation, log10 })
-                }
-            };
+            return self.flat()?.map_or_else(out_of_range, |end| Ok(a.lit(if *a < end { 0 } else { 2 })));
         }
         if slope == a.lit(0) {
             return Ok(a.lit(1));

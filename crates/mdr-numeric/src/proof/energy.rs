@@ -123,6 +123,17 @@ impl<'a> EnclosedEnergy<'a> {
         states.iter().map(of).collect()
     }
 
+    /// What complete contact stores at a value of the control, per area, all of which adheres: Π, and k(D − d)²/2 in the spring of a machine
+    /// per area. `None` where the transform [has none](mdr_core::contact::Transform::complete).
+    pub fn complete(&self, value: &Interval) -> Option<StoredEnergy> {
+        let [depth, stored] = self.contact.transform().complete()?;
+        let mut energy = stored * self.contact.modulus() - self.contact.adhesion().work();
+        if let Control::Machine { stiffness } = self.contact.control() {
+            energy += &((value.clone() - depth).square() * stiffness).over(2);
+        }
+        Some(StoredEnergy::from(energy))
+    }
+
     /// Π from the mean of g².
     fn with_square(&self, a: &Interval, d: &Interval, square: &Interval) -> Result<Interval> {
         let mean = self.mean(a)?;
@@ -250,7 +261,3 @@ pub(super) fn unproved(at: &Interval) -> Error {
     let remedy = "an integral up to there takes too many pieces";
     Error::Unproved { quantity: Quantity::Integral, from, to, remedy }
 }
-
-#[cfg(test)]
-#[path = "../../tests/private/rigorous.rs"]
-pub(super) mod tests;

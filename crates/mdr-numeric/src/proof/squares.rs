@@ -150,3 +150,7 @@ impl Sampled for RootedSquare<'_> {
         self.by_formula(t)
     }
 }
+
+#[cfg(test)]
+#[path = "../../tests/private/rigorous.rs"]
+pub(super) mod tests;

@@ -87,6 +87,12 @@ impl<R: Real> Transform<R> for Wave<R> {
         Some(self.closed(b).and_then(|closed| self.representable(b, (closed * &self.amplitude).square() * above)))
     }
 
+    /// h₀, and p*h₀/4 = πE*h₀²/4λ over E*.
+    fn complete(&self) -> Option<[R; 2]> {
+        let stored = self.amplitude.square() * self.amplitude.pi() / &self.wavelength;
+        Some([self.amplitude.clone(), stored.over(4)])
+    }
+
     fn rises(&self) -> bool {
         true
     }

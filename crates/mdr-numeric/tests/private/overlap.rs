@@ -6,8 +6,8 @@ use mdr_core::contact::{Control, Expression, Material};
 use rug::Float;
 
 use super::super::energy::all_over_unit_interval;
-use super::super::energy::tests::Dropped;
 use super::super::fields::Kernel;
+use super::super::squares::tests::Dropped;
 use super::*;
 use crate::proof::{EnclosedFields, EnclosedGaps};
 use crate::transform::Enclosed;

@@ -3,9 +3,11 @@
 
 use std::sync::Arc;
 
-use mdr_core::contact::{Expression, Material};
+use mdr_core::contact::{Control, Expression, Material};
+use mdr_core::number::Precision;
 
 use super::*;
+use crate::proof::EnclosedEnergy;
 use crate::transform::Enclosed;
 
 /// A function whose integrals have no remainders.

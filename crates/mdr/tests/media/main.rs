@@ -116,6 +116,46 @@ fn a_loop_on_a_winkler_foundation() {
     let lost = std::f64::consts::PI * (w * square - k * square.powi(3) / 24.0);
     let found = balance.dissipated.to_f64().expect("a number");
     assert!((found / lost - 1.0).abs() < 1e-14, "{found} {lost}");
+    assert_eq!(answer.promise(), Promise::Certified);
+}
+
+/// Of powers and of a wave every number is proved: losses, balances, energies and stiffnesses.
+#[test]
+fn energies_of_closed_forms_are_proved() {
+    let media = [
+        ("kind = \"graded\"\nexponent = 0.3\ncoefficient = 2", SQUARE),
+        ("kind = \"graded\"\nexponent = -0.4\ncoefficient = 2", "kind = \"cone\"\nslope = 0.3"),
+        ("kind = \"winkler\"\nmodulus = 3", SQUARE),
+        (PERIODIC, WAVE),
+    ];
+    let ways = [
+        "kind = \"indentation\"\npath = [-1, 0.1, -1]",
+        "kind = \"force\"\npath = [0, 0.2, -1]",
+        "kind = \"machine\"\nstiffness = 0.7\npath = [-1, 0.1, -4]",
+    ];
+    for (medium, profile) in media {
+        for way in ways {
+            let want = "want = [\"path\", \"energy\"]\ndigits = 20\nequilibria = { at = [\"0.05\"] }";
+            let text = scene(medium, profile, &format!("{way}\nstart = \"detached\""), want);
+            let answer = solve(&text);
+            assert_eq!(answer.promise(), Promise::Certified, "{text}");
+            let in_f64 = solve(&text.replace("digits = 20", "arithmetic = \"f64\""));
+            let energies = |answer: &Answer| -> Vec<f64> {
+                let of = |at: &mdr::answer::AtValue<mdr::answer::EnergyState>| {
+                    at.items
+                        .iter()
+                        .flat_map(|state| [&state.energy, &state.stiffness])
+                        .filter_map(Value::to_f64)
+                        .collect()
+                };
+                answer.energy().expect("wanted").items.iter().flat_map::<Vec<f64>, _>(of).collect()
+            };
+            let [proved, found] = [&answer, &in_f64].map(energies);
+            assert!(!proved.is_empty() && proved.len() == found.len(), "{proved:?} {found:?}\n{text}");
+            let close = |(one, other): (&f64, &f64)| (one / other - 1.0).abs() < 1e-9;
+            assert!(proved.iter().zip(&found).all(close), "{proved:?} {found:?}\n{text}");
+        }
+    }
 }
 
 /// (E* = 1, w = 1/100, C = 1; b, F) of MEDIA.

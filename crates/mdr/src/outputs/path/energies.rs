@@ -40,7 +40,10 @@ pub(super) fn of_path(
             total = None;
             Some(Dissipation::Unbounded)
         } else {
-            let [before, after] = [next(), next()];
+            let [before, after] = [&event.before, &event.after].map(|state| match state {
+                ContactState::Complete => next().or_else(|| energy.complete(&event.value)),
+                _ => next(),
+            });
             let lost = before.zip(after).map(|(before, after)| before.minus(&after).plus(&work_in(event, contact)));
             total = total.zip(lost.clone()).map(|(total, lost)| total.plus(&lost));
             lost.map(|lost| Dissipation::Finite(value(lost)))
@@ -62,18 +65,39 @@ pub(super) fn value(sum: StoredEnergy) -> Value<Enclosure> {
     Value::Known(sum.energy().map_or_else(|| Rational::new().into(), |energy| energy.clone().into()))
 }
 
+/// The losses of a path whose jumps are all falls of a dead load, without bound; `None` if another is among them.
+pub(super) fn of_falls(path: &Path<Interval>, control: &Control<Interval>) -> Option<PathNumbers<Enclosure>> {
+    let mut jumps = path.events.iter().filter(|event| changes(event.kind)).peekable();
+    jumps.peek()?;
+    if !jumps.all(|event| falls(event, control)) {
+        return None;
+    }
+    let lost = |event: &Event<Interval>| changes(event.kind).then_some(Dissipation::Unbounded);
+    let events = path.events.iter().map(|event| lost_in(event.kind, lost(event))).collect();
+    Some(PathNumbers { events, balance: None })
+}
+
+/// Whether a dead load falls without end.
+fn falls(event: &Event<Interval>, control: &Control<Interval>) -> bool {
+    event.kind == EventKind::Detached && event.fold.is_some() && *control == Control::Force
+}
+
 /// Whether a dead load falls without end, or an infinite surface comes into contact.
 fn is_unbounded(event: &Event<Interval>, contact: &Contact<Interval>) -> bool {
-    let falls = event.fold.is_some() && *contact.control() == Control::Force;
-    event.kind == EventKind::CompleteContact || event.kind == EventKind::Detached && falls
+    match event.kind {
+        EventKind::CompleteContact => contact.transform().complete().is_none(),
+        _ => falls(event, contact.control()),
+    }
 }
 
 /// F(d₂ − d₁) of a dead load between two contacts; where the surfaces are apart on one side it is 0.
 pub(super) fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> StoredEnergy {
-    match (contact.control(), event.before.contact(), event.after.contact()) {
-        (Control::Force, Some(before), Some(after)) => {
-            ((after.indentation.clone() - &before.indentation) * &event.value).into()
-        }
+    let depth = |state: &ContactState<Interval>| match state {
+        ContactState::Complete => contact.transform().complete().map(|[depth, _]| depth),
+        _ => state.contact().map(|rest| rest.indentation.clone()),
+    };
+    match (contact.control(), depth(&event.before), depth(&event.after)) {
+        (Control::Force, Some(before), Some(after)) => ((after - before) * &event.value).into(),
         _ => StoredEnergy::default(),
     }
 }

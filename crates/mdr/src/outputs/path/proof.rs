@@ -6,7 +6,7 @@ use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
-use mdr_numeric::path::{Event, EventKind, Path};
+use mdr_numeric::path::{Event, Path};
 use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
@@ -106,11 +106,14 @@ impl Followed {
         folds: &FoldProof,
     ) -> Result<Option<PathNumbers<Number>>> {
         let scene = certified.scene;
-        let becomes_complete = || self.path.events.iter().any(|event| event.kind == EventKind::CompleteContact);
-        if !certified.encloses_energies()? || !scene.medium.is_half_space() && becomes_complete() {
-            return Ok(None);
-        }
         let begin = Precision::new(self.bits);
+        if !certified.encloses_energies()? {
+            let falls = energies::of_falls(&self.path, &self.control);
+            let of_falls = |falls: PathNumbers<Enclosure>| {
+                reached(decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |_| Ok(falls.clone())))
+            };
+            return falls.map_or(Ok(None), of_falls);
+        }
         reached(decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |precision| {
             if self.bits < precision.bits() {
                 *self = Followed::new(certified, folds, precision)?;
