@@ -176,6 +176,7 @@ impl Search {
         Ok(Some((fitted, evaluation)))
     }
 
+    /// One descent, whose evaluations count.
     fn descended(
         &mut self,
         objective: &Objective<'_>,

@@ -12,6 +12,9 @@ const NEAR: f64 = 1e-8;
 /// between two samples, and so that what is linear along the step needs no further state.
 const LEFT: f64 = 1e-22;
 
+/// The least curvature X''s/2X' of a segment that is reckoned with: two slopes are alike on both sides of an inflection too.
+const STRAIGHT: f64 = 1e-2;
+
 /// The most rounds of Newton's method, some of which are bisections.
 const ROUNDS: usize = 80;
 
@@ -80,7 +83,8 @@ impl Arc {
         let [before, after] = [&self.samples[after - 1], &self.samples[after]];
         let [mut low, mut high] = [before.s, after.s];
         // What a step leaves is the curvature of X times half the square of the step.
-        let bend = 0.5 * ((after.tangent[0] - before.tangent[0]) / (high - low)).abs();
+        let seen = 0.5 * ((after.tangent[0] - before.tangent[0]) / (high - low)).abs();
+        let bend = seen.max(STRAIGHT * after.tangent[0].max(before.tangent[0]) / high);
         let mut s = guess(before, after, x);
         for _ in 0..ROUNDS {
             if !(s > low && s < high) {
