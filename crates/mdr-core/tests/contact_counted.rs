@@ -39,6 +39,14 @@ impl Transform<f64> for Peculiar {
         Ok(x - needed)
     }
 
+    fn mean_square(&self, x: &f64) -> Option<Result<f64>> {
+        Some(Ok(x + 9.0))
+    }
+
+    fn complete(&self) -> Option<[f64; 2]> {
+        Some([10.0, 11.0])
+    }
+
     fn outer_radius(&self) -> Option<f64> {
         Some(6.0)
     }
@@ -74,7 +82,8 @@ fn answers(transform: &dyn Transform<f64>) -> String {
     let more = [transform.above_mean(&10.0), transform.g_within(&10.0, &0.5), transform.mean_within(&10.0, &0.5)];
     let ends = (transform.outer_radius(), transform.vertical_edge(), transform.kinks(), transform.kink(2, &0.5));
     let rises = [transform.rises(), transform.rises_beyond(&10.0), transform.rises_beyond(&11.0)];
-    format!("{numbers:?} {more:?} {ends:?} {rises:?} {}", transform.work())
+    let energies = (transform.mean_square(&10.0), transform.complete());
+    format!("{numbers:?} {more:?} {ends:?} {rises:?} {energies:?} {}", transform.work())
 }
 
 /// A method that a pointer does not pass on answers with the default of the trait, and nothing else would tell.
@@ -90,7 +99,7 @@ fn pointers_pass_every_question_on() {
     let source = include_str!("../src/contact/transform.rs");
     let (declared, forwarded) = source.split_once("macro_rules! forward").expect("the macro after the trait");
     let methods = |text: &str| text.matches("  fn ").count();
-    assert_eq!((methods(declared), methods(forwarded)), (14, 14));
+    assert_eq!((methods(declared), methods(forwarded)), (16, 16));
 }
 
 #[test]
@@ -109,14 +118,15 @@ fn every_question_is_passed_on_and_counted_once() {
     assert_eq!(spent(&|| counted.integral(&10.0)), (13.0, integral));
     assert_eq!(spent(&|| counted.mean(&10.0)), (14.0, integral));
     assert_eq!(spent(&|| counted.above_mean(&10.0)), (15.0, integral));
+    assert_eq!(spent(&|| counted.mean_square(&10.0).unwrap()), (19.0, integral));
     assert_eq!(spent(&|| counted.g_within(&10.0, &0.5)), (10.5, g));
     assert_eq!(spent(&|| counted.mean_within(&10.0, &0.5)), (9.5, integral));
     assert_eq!((counted.outer_radius(), counted.vertical_edge(), counted.kinks()), (Some(6.0), true, vec![7.0]));
     assert!(counted.rises() && !counted.rises_beyond(&10.0));
     let expected = Peculiar.kink(2, &0.5).unwrap_err().to_string();
     assert_eq!(counted.kink(2, &0.5).unwrap_err().to_string(), expected);
-    assert_eq!(tally.read(), Evaluations { g: 2, slope: 1, integral: 4 });
-    assert_eq!(tally.read().total(), 7);
+    assert_eq!(tally.read(), Evaluations { g: 2, slope: 1, integral: 5 });
+    assert_eq!(tally.read().total(), 8);
 }
 
 #[test]

@@ -18,7 +18,7 @@ impl SquareIntegral<'_> {
     /// ∫₀ᵃ g² dx for each a, in their order.
     ///
     /// # Errors
-    /// Those of [`EnclosedEnergy::squares`](super::EnclosedEnergy::squares).
+    /// A radius that is not positive; errors of the transform; [`Error::Unproved`] where an integral takes too many pieces.
     pub(super) fn up_to(&self, radii: &[Interval]) -> Result<Vec<Interval>> {
         let places: Vec<(usize, Interval)> = radii.iter().map(|a| self.place(a)).collect();
         let mut order: Vec<usize> = (0..radii.len()).collect();
