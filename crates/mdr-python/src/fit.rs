@@ -84,7 +84,7 @@ pub(crate) fn fit(
         Leg::named(name).ok_or_else(unknown)
     };
     let legs = legs.map(|legs| legs.iter().enumerate().map(leg).collect::<PyResult<Vec<Leg>>>()).transpose()?;
-    let (x, y) = (x.as_array().to_vec(), y.as_array().to_vec());
+    let (x, y) = (x.as_slice()?.to_vec(), y.as_slice()?.to_vec());
     let fitted = interruptible(py, |_| {
         Problem::from_json_of_rows(problem, "", &at_hand(&files), [&x, &y], legs.as_deref())?.fit()
     })?;

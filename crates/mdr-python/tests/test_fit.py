@@ -196,3 +196,21 @@ def test_rows_without_numbers_take_their_legs_with_them() -> None:
     assert found.skipped == {"not a number": 1} and found.leg.count("approach") == 7
     with pytest.raises(ValueError, match=r"leg\[19\]"):
         mdr.fit(depth, force, leg=[*leg[:-1], "pause"], missing="skip", **problem)
+
+
+def test_rows_may_begin_between_two_words() -> None:
+    """As arrays do that come from another process."""
+
+    def shifted(column: mdr.Floats) -> mdr.Floats:
+        moved = np.frombuffer(b"." + column.tobytes(), dtype=np.float64, offset=1)
+        assert not moved.flags.aligned
+        return moved
+
+    ball = mdr.jkr(radius=1e-5, e_star=2e6, work_of_adhesion=0.05)
+    depth = np.linspace(2e-6, -2e-7, 12)
+    force = ball.states(indentation=shifted(depth)).force
+    np.testing.assert_array_equal(force, ball.states(indentation=depth).force)
+    tip = mdr.Paraboloid(radius=1e-5)
+    found = mdr.fit(shifted(depth), shifted(force), profile=tip, observation="F(d)")
+    np.testing.assert_array_equal(found.x, depth)
+    assert found.parameters == mdr.fit(depth, force, profile=tip, observation="F(d)").parameters

@@ -106,7 +106,8 @@ def array(x: ArrayLike, name: str) -> tuple[Floats, tuple[int, ...]]:
         values = _of_objects(values, name)
     if values.dtype.kind not in "fiu":
         raise TypeError(f"{name}: expected real numbers, got dtype {values.dtype}")
-    return np.ascontiguousarray(values, dtype=np.float64).reshape(-1), values.shape
+    # What comes out of a buffer, such as that of another process, may begin between two words.
+    return np.require(values, np.float64, ["C_CONTIGUOUS", "ALIGNED"]).reshape(-1), values.shape
 
 
 def row(x: ArrayLike, name: str) -> Floats:
