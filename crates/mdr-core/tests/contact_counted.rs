@@ -43,7 +43,7 @@ impl Transform<f64> for Peculiar {
         Some(Ok(x + 9.0))
     }
 
-    fn complete(&self) -> Option<[f64; 2]> {
+    fn complete_contact(&self) -> Option<[f64; 2]> {
         Some([10.0, 11.0])
     }
 
@@ -82,7 +82,7 @@ fn answers(transform: &dyn Transform<f64>) -> String {
     let more = [transform.above_mean(&10.0), transform.g_within(&10.0, &0.5), transform.mean_within(&10.0, &0.5)];
     let ends = (transform.outer_radius(), transform.vertical_edge(), transform.kinks(), transform.kink(2, &0.5));
     let rises = [transform.rises(), transform.rises_beyond(&10.0), transform.rises_beyond(&11.0)];
-    let energies = (transform.mean_square(&10.0), transform.complete());
+    let energies = (transform.mean_square(&10.0), transform.complete_contact());
     format!("{numbers:?} {more:?} {ends:?} {rises:?} {energies:?} {}", transform.work())
 }
 

@@ -141,14 +141,9 @@ pub(super) fn second(unit: &str) -> std::result::Result<f64, String> {
         .ok_or_else(|| format!("`{}` is no unit of time: s, ms, us, ns or min", excerpt(unit)))
 }
 
-/// A leg by its name, in capitals or not.
-pub(super) fn leg_of(name: &str) -> Option<Leg> {
-    let is_name = |known: &&str| known.eq_ignore_ascii_case(name.trim());
-    LEGS.into_iter().find(|(_, names)| names.iter().any(is_name)).map(|(leg, _)| leg)
-}
-
 impl Leg {
-    /// The leg that instruments call by this name: `approach`, `extend`, `trace` and the like, or `retract`, `withdraw`, `retrace`.
+    /// The leg that instruments call by this name, in capitals or not: `approach`, `extend`, `trace` and the like, or `retract`, `withdraw`,
+    /// `retrace`.
     ///
     /// ```
     /// use mdr_fit::Leg;
@@ -156,7 +151,8 @@ impl Leg {
     /// assert_eq!(Leg::named("pause"), None);
     /// ```
     pub fn named(name: &str) -> Option<Leg> {
-        leg_of(name)
+        let is_name = |known: &&str| known.eq_ignore_ascii_case(name.trim());
+        LEGS.into_iter().find(|(_, names)| names.iter().any(is_name)).map(|(leg, _)| leg)
     }
 }
 

@@ -90,8 +90,7 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
             let is_far = |objective: &mut Objective<'_>, good: f64| {
                 !good.is_nan() && few_cost(objective, &start) > HOPELESS * (good + dof)
             };
-            let is_begun = search.begun.contains(&(start.clone(), true));
-            if is_begun || (source == Source::Record && is_far(objective, good)) {
+            if search.begun.contains(&start) || (source == Source::Record && is_far(objective, good)) {
                 continue;
             }
             search.descend(objective, name, &start, Some(scales));
@@ -123,8 +122,8 @@ fn few_cost(objective: &mut Objective<'_>, fitted: &[f64]) -> f64 {
 
 struct Search {
     tried: Vec<Attempt>,
-    /// The starts of all descents, each with whether the scale of X fell.
-    begun: Vec<(Vec<f64>, bool)>,
+    /// The starts from which the scale of X fell.
+    begun: Vec<Vec<f64>>,
     /// Where descents were while the scale of X fell: that scale, the sum of squares and the number of detached rows.
     passed: Vec<[f64; 3]>,
     evaluations: usize,
@@ -140,7 +139,9 @@ impl Search {
     /// Descends on a part of the rows: the scale of X falls through `scales` to its value, or has it from the beginning. The end is kept
     /// unless it is known.
     fn descend(&mut self, objective: &mut Objective<'_>, start: &'static str, values: &[f64], scales: Option<&[f64]>) {
-        self.begun.push((values.to_vec(), scales.is_some()));
+        if scales.is_some() {
+            self.begun.push(values.to_vec());
+        }
         match self.reduced(objective, values, scales) {
             Ok(None) => {}
             Ok(Some((fitted, evaluation))) => {

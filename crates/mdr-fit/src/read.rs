@@ -71,7 +71,7 @@ impl Problem {
     /// # Errors
     /// A text that is no fit, with name, line and key; columns that are not of one length.
     #[cfg(feature = "serde")]
-    pub fn from_json_of_rows(
+    pub fn from_json_with_rows(
         text: &str,
         name: &str,
         files: Files<'_>,
@@ -324,7 +324,7 @@ fn inline(value: &InputValue<'_>, columns: &Columns, bases: [&str; 2]) -> Result
         }
         points.push([in_si(x, columns, 0, bases)?, in_si(y, columns, 1, bases)?]);
         if let [leg] = rest {
-            legs.push(data::leg_of(leg.text()?).ok_or_else(|| leg.refuse("a leg is `approach` or `retract`"))?);
+            legs.push(Leg::named(leg.text()?).ok_or_else(|| leg.refuse("a leg is `approach` or `retract`"))?);
         }
     }
     let axis = |axis: usize| points.iter().map(|point| point[axis]).collect::<Vec<f64>>();

@@ -228,10 +228,10 @@ mod closed {
     #[test]
     fn complete_contact_is_the_limit() {
         let contact = contact("wave", |text| number(text, 200));
-        let [depth, _] = contact.transform().complete().unwrap();
+        let [depth, _] = contact.transform().complete_contact().unwrap();
         let energy = EnclosedEnergy::closed(&contact);
         let near = energy.potential(&number("1e20", 200), &depth).unwrap();
-        let complete = energy.complete(&depth).unwrap();
+        let complete = energy.complete_contact(&depth).unwrap();
         let apart = near - complete.energy().unwrap();
         assert!(apart.approx().abs() < 1e-19, "{apart}");
         assert!((complete.energy().unwrap().approx() - (2.0 * std::f64::consts::PI * 0.01 / 6.0 - 0.01)).abs() < 1e-16);

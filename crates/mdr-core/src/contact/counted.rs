@@ -228,8 +228,8 @@ impl<R: Real> Transform<R> for CountingTransform<R> {
         self.count(2, |inner| inner.mean_square(x).transpose()).transpose()
     }
 
-    fn complete(&self) -> Option<[R; 2]> {
-        self.inner.complete()
+    fn complete_contact(&self) -> Option<[R; 2]> {
+        self.inner.complete_contact()
     }
 
     fn outer_radius(&self) -> Option<R> {

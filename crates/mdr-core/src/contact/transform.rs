@@ -74,7 +74,7 @@ pub trait Transform<R: Real>: Send + Sync {
 
     /// Of complete contact on a periodic medium: its depth, and what it stores per area over the modulus, both in m. `None` without closed
     /// forms, and elsewhere.
-    fn complete(&self) -> Option<[R; 2]> {
+    fn complete_contact(&self) -> Option<[R; 2]> {
         None
     }
 
@@ -160,8 +160,8 @@ macro_rules! forward {
                 (**self).mean_square(x)
             }
 
-            fn complete(&self) -> Option<[R; 2]> {
-                (**self).complete()
+            fn complete_contact(&self) -> Option<[R; 2]> {
+                (**self).complete_contact()
             }
 
             fn outer_radius(&self) -> Option<R> {

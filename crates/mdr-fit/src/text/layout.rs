@@ -6,7 +6,7 @@ use csv::ReaderBuilder;
 use mdr_core::text::excerpt;
 use mdr_core::units::{SiUnit, bare};
 
-use crate::data::{FEWER_ROWS, MOST_ROWS, leg_of};
+use crate::data::{FEWER_ROWS, MOST_ROWS};
 use crate::observation::Leg;
 
 /// The most lines above the rows.
@@ -124,7 +124,7 @@ impl<'t> Lines<'t> {
             count += 1;
             if lines.filled.len() < MOST_ROWS + MOST_ABOVE {
                 let leg = |(at, name): (usize, &str)| {
-                    leg_of(name).ok_or_else(|| {
+                    Leg::named(name).ok_or_else(|| {
                         let name = excerpt(name);
                         format!("line {at}: rows follow the segment `{name}`, which is neither approach nor retract: leave them out")
                     })

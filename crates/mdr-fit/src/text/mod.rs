@@ -233,7 +233,7 @@ impl Cells<'_> {
                 excerpt(name)
             )
         };
-        data::leg_of(name).ok_or_else(refuse)
+        Leg::named(name).ok_or_else(refuse)
     }
 
     /// A time, in the unit of its column.

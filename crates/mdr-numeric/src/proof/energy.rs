@@ -124,9 +124,9 @@ impl<'a> EnclosedEnergy<'a> {
     }
 
     /// What complete contact stores at a value of the control, per area, all of which adheres: Π, and k(D − d)²/2 in the spring of a machine
-    /// per area. `None` where the transform [has none](mdr_core::contact::Transform::complete).
-    pub fn complete(&self, value: &Interval) -> Option<StoredEnergy> {
-        let [depth, stored] = self.contact.transform().complete()?;
+    /// per area. `None` where the transform [has none](mdr_core::contact::Transform::complete_contact).
+    pub fn complete_contact(&self, value: &Interval) -> Option<StoredEnergy> {
+        let [depth, stored] = self.contact.transform().complete_contact()?;
         let mut energy = stored * self.contact.modulus() - self.contact.adhesion().work();
         if let Control::Machine { stiffness } = self.contact.control() {
             energy += &((value.clone() - depth).square() * stiffness).over(2);

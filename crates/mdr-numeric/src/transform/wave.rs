@@ -88,7 +88,7 @@ impl<R: Real> Transform<R> for Wave<R> {
     }
 
     /// h₀, and p*h₀/4 = πE*h₀²/4λ over E*.
-    fn complete(&self) -> Option<[R; 2]> {
+    fn complete_contact(&self) -> Option<[R; 2]> {
         let stored = self.amplitude.square() * self.amplitude.pi() / &self.wavelength;
         Some([self.amplitude.clone(), stored.over(4)])
     }

@@ -145,8 +145,8 @@ impl Proved {
 /// Records at values, as they are printed.
 type Described<T> = Vec<AtValue<<T as Numbers<Enclosure>>::With<Number>>>;
 
-/// Where what is described of a state can be enclosed: the record of every equilibrium at the values, of the state in which the path starts without values; `None` if not all of it
-/// can be proved.
+/// The record of every equilibrium at the values, of the state in which the path starts without values; `None` if not all of it
+/// can be proved, or if what `describe` asks for cannot be enclosed.
 ///
 /// # Errors
 /// Errors of the transform; a value out of its domain.

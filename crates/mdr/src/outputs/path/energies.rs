@@ -41,7 +41,7 @@ pub(super) fn of_path(
             Some(Dissipation::Unbounded)
         } else {
             let [before, after] = [&event.before, &event.after].map(|state| match state {
-                ContactState::Complete => next().or_else(|| energy.complete(&event.value)),
+                ContactState::Complete => next().or_else(|| energy.complete_contact(&event.value)),
                 _ => next(),
             });
             let lost = before.zip(after).map(|(before, after)| before.minus(&after).plus(&work_in(event, contact)));
@@ -85,7 +85,7 @@ fn falls(event: &Event<Interval>, control: &Control<Interval>) -> bool {
 /// Whether a dead load falls without end, or an infinite surface comes into contact.
 fn is_unbounded(event: &Event<Interval>, contact: &Contact<Interval>) -> bool {
     match event.kind {
-        EventKind::CompleteContact => contact.transform().complete().is_none(),
+        EventKind::CompleteContact => contact.transform().complete_contact().is_none(),
         _ => falls(event, contact.control()),
     }
 }
@@ -93,7 +93,7 @@ fn is_unbounded(event: &Event<Interval>, contact: &Contact<Interval>) -> bool {
 /// F(d₂ − d₁) of a dead load between two contacts; where the surfaces are apart on one side it is 0.
 pub(super) fn work_in(event: &Event<Interval>, contact: &Contact<Interval>) -> StoredEnergy {
     let depth = |state: &ContactState<Interval>| match state {
-        ContactState::Complete => contact.transform().complete().map(|[depth, _]| depth),
+        ContactState::Complete => contact.transform().complete_contact().map(|[depth, _]| depth),
         _ => state.contact().map(|rest| rest.indentation.clone()),
     };
     match (contact.control(), depth(&event.before), depth(&event.after)) {
