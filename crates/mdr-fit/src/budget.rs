@@ -1,17 +1,19 @@
 //! How the estimates follow the numbers that are given: ∂ln E*/∂ln k and the like.
 
+use std::sync::Arc as Shared;
+
 use nalgebra::{DMatrix, DVector};
 
-use super::answer::{BudgetEntry, Fit};
+use super::answer::BudgetEntry;
 use super::errors::Errors;
 use super::judge;
 use super::minimise::Minimum;
 use super::objective::Objective;
 use super::problem::{Kind, Problem};
 
-/// Adds the derivatives of the estimates with respect to the logarithms of the given numbers: of the linearised model, θ follows φ by
+/// The derivatives of the estimates with respect to the logarithms of the given numbers: of the linearised model, θ follows φ by
 /// ∂θ/∂φ = −(JᵀJ)⁻¹Jᵀ ∂r/∂φ. Numbers whose derivatives the profile does not have are left out.
-pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) {
+pub(super) fn of(errors: &Errors<'_>, minimum: &Minimum) -> Vec<BudgetEntry> {
     let (objective, problem) = (errors.objective, errors.objective.problem);
     let counts = |kind: Kind| match kind {
         Kind::EffectiveModulus | Kind::Stiffness | Kind::Sensitivity | Kind::Profile(_) => true,
@@ -26,13 +28,9 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) {
         })
         .collect();
     if given.is_empty() || errors.kept.is_empty() {
-        return;
+        return Vec::new();
     }
-    for index in given {
-        if let Some(found) = along(objective, errors, minimum, index) {
-            fit.budget.extend(found);
-        }
-    }
+    given.into_iter().filter_map(|index| along(objective, errors, minimum, index)).flatten().collect()
 }
 
 /// The derivatives of the residuals with respect to the fitted value of a given number.
@@ -41,7 +39,7 @@ pub(super) fn column(objective: &Objective<'_>, minimum: &Minimum, index: usize)
     problem.parameters[index].free = true;
     problem.parameters[index].bounds = None;
     let mut freed = Objective::new(&problem, objective.x_scale, objective.noise).ok()?;
-    freed.rows.clone_from(&objective.rows);
+    freed.rows = Shared::clone(&objective.rows);
     freed.at_fold.clone_from(&objective.at_fold);
     let own = freed.free.iter().position(|free| *free == index)?;
     let mut fitted = minimum.fitted.clone();
@@ -49,12 +47,12 @@ pub(super) fn column(objective: &Objective<'_>, minimum: &Minimum, index: usize)
     let kind = freed.kind(own);
     // Only a number of the profile needs a transform with its derivatives.
     let seeded = match kind {
-        Kind::Profile(_) => Some(freed.evaluate(&fitted, Some(&minimum.evaluation)).ok()?),
+        Kind::Profile(_) => Some(freed.evaluate(&fitted, Some(&minimum.evaluation.turns)).ok()?),
         _ => None,
     };
     let evaluation = seeded.as_ref().unwrap_or(&minimum.evaluation);
     let jacobian = freed.derivatives(&fitted, evaluation, &[(own, kind)]).ok()?;
-    (jacobian.nrows() == minimum.jacobian.nrows()).then(|| jacobian.column(own).clone_owned())
+    (jacobian.nrows() == minimum.jacobian.nrows()).then(|| jacobian.column(0).clone_owned())
 }
 
 /// The part of the residuals' derivatives with respect to a given number that the free numbers follow, in changes of these.

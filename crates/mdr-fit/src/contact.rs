@@ -83,7 +83,7 @@ impl Numbers<f64> {
 
     /// The place of a row on the curve: without trends.
     pub(super) fn untrended(&self, row: &DataRow) -> [f64; 2] {
-        self.without_trends([&row.x, &row.y, &row.at.time])
+        self.without_trends([&row.x, &row.y, &row.time])
     }
 
     /// Depth and force of a place on the curve, by the sensitivity of a photodiode, the offsets and the stiffness.
@@ -95,7 +95,7 @@ impl Numbers<f64> {
 
     /// How the place of the curve against that of a row moves with a number, by its trends.
     pub(super) fn trend_partial(&self, kind: Kind, row: &DataRow) -> [f64; 2] {
-        self.partial_of_trends(kind, [&row.x, &row.at.time])
+        self.partial_of_trends(kind, [&row.x, &row.time])
     }
 }
 

@@ -5,7 +5,7 @@ use mdr_core::text::excerpt;
 use mdr_core::units::{SiUnit, bare, scaled};
 
 use super::observation::Leg;
-use super::problem::{DataRow, Moment};
+use super::problem::{DataRow, OwnSigma};
 use mdr::Result;
 use mdr::reading::Location;
 
@@ -26,9 +26,10 @@ pub(super) fn rows(x: &[f64], y: &[f64], legs: Option<&[Leg]>) -> Result<Vec<Dat
     let row = |((x, y), leg): ((&f64, &f64), &Leg)| DataRow {
         x: *x,
         y: *y,
+        time: 0.0,
+        sigma: [OwnSigma::NONE; 2],
+        part: 0,
         leg: *leg,
-        sigma: [None; 2],
-        at: Moment::default(),
     };
     Ok(x.iter().zip(y).zip(legs).map(row).collect())
 }

@@ -14,10 +14,28 @@ impl Objective<'_> {
     /// # Errors
     /// Errors of the transform.
     pub(super) fn jacobian(&self, fitted: &[f64], evaluation: &Evaluation) -> Result<DMatrix<f64>> {
-        self.derivatives(fitted, evaluation, &self.moving(fitted))
+        let moving = self.moving(fitted);
+        let columns = self.derivatives(fitted, evaluation, &moving)?;
+        if moving.len() == self.free.len() {
+            return Ok(columns);
+        }
+        let mut jacobian = DMatrix::zeros(columns.nrows(), self.free.len());
+        for (column, (place, _)) in columns.column_iter().zip(&moving) {
+            jacobian.set_column(*place, &column);
+        }
+        for (index, (place, [_, sd])) in self.priors().enumerate() {
+            jacobian[(self.rows.len() + index, place)] = self.slope_of_prior(place, fitted, sd);
+        }
+        Ok(jacobian)
     }
 
-    /// The derivatives with respect to some of the free numbers, by their places; zero in all other columns.
+    /// How the residual of a prior moves with its number.
+    fn slope_of_prior(&self, place: usize, fitted: &[f64], sd: f64) -> f64 {
+        let value = if self.is_offset(place) { 1.0 } else { self.value(place, fitted[place]) };
+        value / self.noise.unit_of(sd)
+    }
+
+    /// The derivatives with respect to some of the free numbers, given with their places: a column for each of these.
     ///
     /// # Errors
     /// Errors of the transform.
@@ -27,15 +45,15 @@ impl Objective<'_> {
         evaluation: &Evaluation,
         moving: &[(usize, Kind)],
     ) -> Result<DMatrix<f64>> {
-        let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), self.free.len());
+        let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), moving.len());
         let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
         let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
         for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
             let Some(foot) = foot else {
                 let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
-                for (place, kind) in moving {
+                for (column, (_, kind)) in moving.iter().enumerate() {
                     let own = f64::from(u8::from(*kind == Kind::Baseline));
-                    jacobian[(index, *place)] = slope * (own + evaluation.numbers.trend_partial(*kind, row)[1]);
+                    jacobian[(index, column)] = slope * (own + evaluation.numbers.trend_partial(*kind, row)[1]);
                 }
                 continue;
             };
@@ -44,30 +62,31 @@ impl Objective<'_> {
             let slope = self.loss(foot.residual)[1];
             let Some(arc) = evaluation.arc(row, evaluation.labels[index]) else { continue };
             let is_pinned = point.beyond_edge && contact.pinned.is_some();
-            for (place, kind) in moving {
+            for (column, (_, kind)) in moving.iter().enumerate() {
                 // What holds a pinned edge does not show: not even in rounding, which would be a direction of its own.
                 if is_pinned && !foot.is_end && *kind == Kind::Work(Edge::Receding) {
                     continue;
                 }
                 let [x, y] = arc.partial(contact, *kind, foot, &point)?;
                 let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, row);
-                jacobian[(index, *place)] = slope * (foot.weights[0] * (x + more_x) + foot.weights[1] * (y + more_y));
+                jacobian[(index, column)] = slope * (foot.weights[0] * (x + more_x) + foot.weights[1] * (y + more_y));
             }
         }
         let mut index = self.rows.len();
         for (place, [_, sd]) in self.priors() {
-            let value = self.value(place, fitted[place]);
-            jacobian[(index, place)] = if self.is_offset(place) { 1.0 } else { value } / self.noise.unit_of(sd);
+            if let Some(column) = moving.iter().position(|(other, _)| *other == place) {
+                jacobian[(index, column)] = self.slope_of_prior(place, fitted, sd);
+            }
             index += 1;
         }
         // How the place of a fold moves with each number.
         let mut fold = |index: usize, sheet: usize, s: f64, unit: f64, row: Option<&DataRow>| -> Result<()> {
             let contact = &contacts[sheet];
             let point = contact.point(&s)?;
-            for (place, kind) in moving {
+            for (column, (_, kind)) in moving.iter().enumerate() {
                 let speed = arcs::end_speed(contact, *kind, &point)?;
                 let trend = row.map_or(0.0, |row| evaluation.numbers.trend_partial(*kind, row)[0]);
-                jacobian[(index, *place)] =
+                jacobian[(index, column)] =
                     (contact.partial(*kind, &point)?[0] + point.tangent[0] * speed + trend) / unit;
             }
             Ok(())

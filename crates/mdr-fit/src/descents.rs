@@ -1,9 +1,11 @@
 //! From starts to the least minimum that is found.
 
+use std::sync::Arc as Shared;
+
 use mdr_core::contact::Shape;
 
-use super::arcs::Arc;
-use super::minimise::{self, Minimum, Precision};
+use super::arcs::{Arc, Turn};
+use super::minimise::{self, End, Minimum, Precision, Reached};
 use super::objective::{AtFold, Evaluation, Objective};
 use super::parameter::Kind;
 use super::problem::DataRow;
@@ -105,9 +107,9 @@ pub(super) fn least(objective: &mut Objective<'_>, sources: &[Source], is_stated
 }
 
 /// Leaves some of the rows, and returns all.
-fn thinned(objective: &mut Objective<'_>) -> Vec<DataRow> {
-    let all = std::mem::take(&mut objective.rows);
-    objective.rows = all.iter().copied().step_by(all.len().div_ceil(FEW).max(1)).collect();
+fn thinned(objective: &mut Objective<'_>) -> Shared<Vec<DataRow>> {
+    let all = Shared::clone(&objective.rows);
+    objective.rows = Shared::new(all.iter().copied().step_by(all.len().div_ceil(FEW).max(1)).collect());
     all
 }
 
@@ -182,7 +184,7 @@ impl Search {
         &mut self,
         objective: &Objective<'_>,
         start: &[f64],
-        before: Option<&Evaluation>,
+        before: Option<&[Vec<Turn>]>,
         tolerance: f64,
         patience: usize,
     ) -> mdr_core::contact::Result<minimise::End> {
@@ -203,11 +205,11 @@ impl Search {
         let last = objective.x_scale.filter(|scale| *scale > 0.0).unwrap_or(objective.noise.beyond);
         let (scales, end): (&[f64], &[f64]) = scales.map_or((&[], &[]), |scales| (scales, &[1.0]));
         let patience = if scales.len() > 1 { PATIENCE[0] } else { PATIENCE[1] };
-        let (mut fitted, mut before) = (start.to_vec(), None::<Evaluation>);
+        let (mut fitted, mut before) = (start.to_vec(), None::<Vec<Vec<Turn>>>);
         for factor in scales.iter().chain(end) {
             objective.x_scale = Some(factor * last);
             // A step of the continuation that fails leaves its start to the next.
-            if let Ok(end) = self.descended(objective, &fitted, before.as_ref(), 1e-5, patience) {
+            if let Ok(end) = self.descended(objective, &fitted, before.as_deref(), 1e-5, patience) {
                 let [cost, detached] = [end.evaluation.cost(), end.evaluation.detached() as f64];
                 let has_passed =
                     |other: &[f64; 3]| other[0] == *factor && is_same([other[1], other[2]], [cost, detached], KNOWN);
@@ -215,7 +217,7 @@ impl Search {
                     return None;
                 }
                 self.passed.push([*factor, cost, detached]);
-                (fitted, before) = (end.fitted, Some(end.evaluation));
+                (fitted, before) = (end.fitted, Some(end.evaluation.turns));
             }
         }
         Some((fitted, patience))
@@ -225,7 +227,7 @@ impl Search {
     fn end(mut self, objective: &mut Objective<'_>, is_stated: bool) -> Result<Found> {
         self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
         let least = self.tried.first().map_or(f64::INFINITY, |attempt| attempt.cost);
-        let mut minima: Vec<Minimum> = Vec::new();
+        let mut minima: Vec<Reached> = Vec::new();
         // The ends of free descents that were followed, and where they led.
         let mut known: Vec<([f64; 2], Attempt)> = Vec::new();
         for attempt in self.tried.iter_mut().take(FOLLOWED).filter(|attempt| attempt.cost <= NEAR[0] * least + NEAR[1])
@@ -247,8 +249,7 @@ impl Search {
             match settled(objective, free, &attempt.fitted) {
                 Ok(minimum) => {
                     attempt.fitted.clone_from(&minimum.fitted);
-                    attempt.cost = minimum.evaluation.cost();
-                    attempt.detached = minimum.evaluation.detached();
+                    (attempt.cost, attempt.detached) = (minimum.cost, minimum.detached);
                     known.push((end, attempt.clone()));
                     self.evaluations = minimum.evaluations;
                     minima.push(minimum);
@@ -256,25 +257,25 @@ impl Search {
                 Err(error) => self.failure = Some(error),
             }
         }
-        minima.sort_by(|one, other| one.evaluation.cost().total_cmp(&other.evaluation.cost()));
-        let is_attached = |minimum: &Minimum| minimum.evaluation.detached() == 0;
+        minima.sort_by(|one, other| one.cost.total_cmp(&other.cost));
+        let is_attached = |minimum: &Reached| minimum.detached == 0;
         if let Some(first) = minima.first()
-            && (1..=pins(objective)).contains(&first.evaluation.detached())
+            && (1..=pins(objective)).contains(&first.detached)
             && !minima.iter().any(is_attached)
             && let Ok(attached) = attached(objective, first, self.evaluations)
             && is_attached(&attached)
         {
             self.evaluations = attached.evaluations;
-            let (fitted, cost) = (attached.fitted.clone(), attached.evaluation.cost());
+            let (fitted, cost) = (attached.fitted.clone(), attached.cost);
             self.tried.push(Attempt { start: "all-in-contact", fitted, cost, detached: 0 });
             minima.push(attached);
         }
         self.tried.sort_by(|one, other| one.cost.total_cmp(&other.cost));
         // Rows out of contact that the free numbers of the baseline alone take up say nothing of a jump before them.
         if let Some(first) = minima.first()
-            && (1..=pins(objective)).contains(&first.evaluation.detached())
-            && let Some(place) = minima.iter().position(|minimum| minimum.evaluation.detached() == 0)
-            && minima[place].evaluation.cost() - first.evaluation.cost() < ALIKE * variance(objective, least, is_stated)
+            && (1..=pins(objective)).contains(&first.detached)
+            && let Some(place) = minima.iter().position(is_attached)
+            && minima[place].cost - first.cost < ALIKE * variance(objective, least, is_stated)
         {
             let attached = minima.remove(place);
             self.tried.sort_by_key(|attempt| attempt.fitted != attached.fitted);
@@ -282,9 +283,7 @@ impl Search {
         }
         match minima.into_iter().next() {
             Some(minimum) => {
-                objective.at_fold.clone_from(&minimum.at_fold);
-                let Minimum { fitted, evaluation, .. } = minimum;
-                let minimum = minimise::polish(objective, &fitted, evaluation, self.evaluations, Precision::Full)?;
+                let minimum = Reached { evaluations: self.evaluations, ..minimum }.followed(objective)?;
                 Ok(Found { minimum, tried: self.tried })
             }
             None => Err(no_start(objective, self.failure)),
@@ -338,9 +337,7 @@ pub(super) fn improve(
 fn lowest_near(objective: &mut Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
     objective.at_fold.clear();
     let free = descended(objective, start, evaluations)?;
-    let found = settled(objective, free, start)?;
-    objective.at_fold.clone_from(&found.at_fold);
-    minimise::polish(objective, &found.fitted, found.evaluation, found.evaluations, Precision::Full)
+    settled(objective, free, start)?.followed(objective)
 }
 
 /// The least minimum of all rows near a start, from which a descent has led to the free one.
@@ -348,44 +345,43 @@ fn lowest_near(objective: &mut Objective<'_>, start: &[f64], evaluations: usize)
 /// Where x is exact the fold is at or beyond the last row of its arc, since rows in contact lie on the curve. Beside a fold the curve rises
 /// or falls as the root of the distance, so that there may be several minima: one with the fold at the row, where the sum of squares has a
 /// kink, and others with the fold beyond it, to which the other rows lead, or at which the curve goes through the row.
-fn settled(objective: &mut Objective<'_>, free: Minimum, start: &[f64]) -> mdr_core::contact::Result<Minimum> {
+fn settled(objective: &mut Objective<'_>, free: Minimum, start: &[f64]) -> mdr_core::contact::Result<Reached> {
     if objective.x_scale.is_some() {
-        return Ok(free);
+        return Ok(free.into());
     }
     let rows = near_fold(objective, &free)?;
     if rows.is_empty() {
-        return Ok(free);
+        return Ok(free.into());
     }
     let mut evaluations = free.evaluations;
-    let mut ends = Vec::new();
-    if !free.evaluation.is_beyond() {
+    let mut ends: Vec<Reached> = Vec::new();
+    let is_beyond = free.evaluation.is_beyond();
+    let free = Reached::from(free);
+    if !is_beyond {
         ends.push(free);
     } else if let Ok(led) = led_by_others(objective, start, &rows, evaluations) {
         evaluations = led.evaluations;
         if !led.evaluation.is_beyond() {
-            ends.push(led);
+            ends.push(led.into());
         }
     }
     let from = ends.first().map_or(start, |end| &end.fitted).to_vec();
     objective.at_fold.clone_from(&rows);
-    let held = descended(objective, &from, evaluations);
-    if let Ok(held) = held {
+    if let Ok(held) = descended(objective, &from, evaluations) {
+        let moved = beyond(objective, &held);
+        let held = Reached::from(held);
         evaluations = held.evaluations;
-        if let Ok(released) = released(objective, &held, evaluations)
+        if let Ok(released) = moved.and_then(|moved| released(objective, &held, moved, evaluations))
             && !released.evaluation.is_beyond()
         {
-            ends.push(released);
+            ends.push(released.into());
         }
         ends.push(held);
     }
     objective.at_fold.clear();
-    let least = ends.into_iter().min_by(|one, other| one.evaluation.cost().total_cmp(&other.evaluation.cost()));
-    match least {
-        Some(minimum) => {
-            objective.at_fold.clone_from(&minimum.at_fold);
-            Ok(minimum)
-        }
-        None => descended(objective, start, evaluations),
+    match ends.into_iter().min_by(|one, other| one.cost.total_cmp(&other.cost)) {
+        Some(minimum) => Ok(minimum),
+        None => descended(objective, start, evaluations).map(Reached::from),
     }
 }
 
@@ -397,14 +393,14 @@ fn descended(objective: &Objective<'_>, start: &[f64], evaluations: usize) -> md
 /// The minimum with all rows in contact beside one at which some of the last are not: that to which the others lead.
 fn attached(
     objective: &mut Objective<'_>,
-    minimum: &Minimum,
+    minimum: &Reached,
     evaluations: usize,
-) -> mdr_core::contact::Result<Minimum> {
-    let labels = minimum.evaluation.labels.iter().enumerate();
+) -> mdr_core::contact::Result<Reached> {
+    let labels = minimum.labels(objective)?.into_iter().enumerate();
     let detached: Vec<AtFold> =
-        labels.filter(|(_, label)| **label == 0).map(|(row, _)| AtFold { row, level: 0, beyond: 0.0 }).collect();
+        labels.filter(|(_, label)| *label == 0).map(|(row, _)| AtFold { row, level: 0, beyond: 0.0 }).collect();
     objective.at_fold.clear();
-    led_by_others(objective, &minimum.fitted, &detached, evaluations)
+    led_by_others(objective, &minimum.fitted, &detached, evaluations).map(Reached::from)
 }
 
 /// The minimum to which all rows but these lead, then with them.
@@ -414,30 +410,39 @@ fn led_by_others(
     rows: &[AtFold],
     evaluations: usize,
 ) -> mdr_core::contact::Result<Minimum> {
-    let all = objective.rows.clone();
+    let all = Shared::clone(&objective.rows);
     let kept = |(index, row): (usize, &DataRow)| (!rows.iter().any(|held| held.row == index)).then_some(*row);
-    objective.rows = all.iter().enumerate().filter_map(kept).collect();
+    objective.rows = Shared::new(all.iter().enumerate().filter_map(kept).collect());
     let led = objective.evaluate(start, None);
     let led = led.and_then(|evaluation| minimise::descend(objective, start, evaluation, 1e-8, 30));
     objective.rows = all;
-    let led = led?;
-    descended(objective, &led.fitted, evaluations + led.evaluations)
+    let End { fitted, evaluations: more, .. } = led?;
+    descended(objective, &fitted, evaluations + more)
 }
 
-/// The minimum beyond a held one: the fold is moved so far that the curve goes through the row, then it is free.
-fn released(objective: &mut Objective<'_>, held: &Minimum, evaluations: usize) -> mdr_core::contact::Result<Minimum> {
-    let mut moved = held.at_fold.clone();
-    for fold in &mut moved {
+/// The folds that are held, moved so far that the curve goes through their rows.
+fn beyond(objective: &Objective<'_>, held: &Minimum) -> mdr_core::contact::Result<Vec<AtFold>> {
+    let moved = |fold: &AtFold| {
         let residual = held.evaluation.residuals[fold.row] / objective.noise.unit;
         let width = objective.width_of_fold(&held.evaluation, fold)?;
-        fold.beyond = width * residual.powi(2).clamp(1.0, 1e3);
-    }
+        Ok(AtFold { beyond: width * residual.powi(2).clamp(1.0, 1e3), ..*fold })
+    };
+    held.at_fold.iter().map(moved).collect()
+}
+
+/// The minimum beyond a held one: the folds are moved, then they are free.
+fn released(
+    objective: &mut Objective<'_>,
+    held: &Reached,
+    moved: Vec<AtFold>,
+    evaluations: usize,
+) -> mdr_core::contact::Result<Minimum> {
     objective.at_fold = moved;
-    let away = objective.evaluate(&held.fitted, Some(&held.evaluation));
+    let away = objective.evaluate(&held.fitted, Some(&held.turns));
     let away = away.and_then(|evaluation| minimise::descend(objective, &held.fitted, evaluation, 1e-8, 30));
     objective.at_fold.clear();
-    let away = away?;
-    descended(objective, &away.fitted, evaluations + away.evaluations)
+    let End { fitted, evaluations: more, .. } = away?;
+    descended(objective, &fitted, evaluations + more)
 }
 
 /// The last rows of arcs that lie beyond the fold or nearer to it than the noise resolves.
@@ -449,13 +454,13 @@ fn near_fold(objective: &Objective<'_>, minimum: &Minimum) -> mdr_core::contact:
     for (place, sheet) in evaluation.sheets.iter().enumerate() {
         for (index, arc) in sheet.arcs.iter().enumerate() {
             let Some(fold) = Arc::inner_fold(arc) else { continue };
-            let is_on_arc = |row: &usize| {
-                evaluation.labels[*row] == index + 1 && evaluation.sheet_of(&objective.rows[*row]) == place
-            };
+            let level = index as u32 + 1;
+            let is_on_arc =
+                |row: &usize| evaluation.labels[*row] == level && evaluation.sheet_of(&objective.rows[*row]) == place;
             let on_arc = (0..objective.rows.len()).filter(is_on_arc);
             let last = on_arc.min_by(|one, other| x_of(*one).total_cmp(&x_of(*other)));
             let Some(row) = last else { continue };
-            let at_fold = AtFold { row, level: index + 1, beyond: 0.0 };
+            let at_fold = AtFold { row, level, beyond: 0.0 };
             // From where the edge is pinned the contact breaks without a fold, anywhere beyond the last row.
             if sheet.pin.is_some_and(|pin| pin.radius == fold.s) && x_of(row) >= fold.at[0] {
                 continue;

@@ -68,7 +68,7 @@ pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Outcome>
     check(problem)?;
     let scatter = Scatter::of(problem);
     scatter.check(problem)?;
-    let own = problem.rows[0].sigma[0].map(|_| 0.0);
+    let own = problem.rows[0].sigma[0].get().map(|_| 0.0);
     // What is far below the rounding of x is none.
     let stated = problem.sigma[0].map(|sigma| scatter.noise.scaled(sigma));
     let x_scale = stated.filter(|sigma| *sigma > f64::EPSILON * scatter.span).or(own);
@@ -113,7 +113,7 @@ impl Scatter {
         // Of independent errors: their second differences have √6 times their standard deviation.
         let seconds: Vec<f64> = rows
             .windows(3)
-            .filter(|three| three[0].at.part == three[2].at.part)
+            .filter(|three| three[0].part == three[2].part)
             .map(|three| (three[0].y - 2.0 * three[1].y + three[2].y).abs())
             .collect();
         let range = |of: fn(&super::problem::DataRow) -> f64| {
@@ -122,11 +122,11 @@ impl Scatter {
         };
         let (range, span) = (range(|row| row.y), range(|row| row.x));
         let seen = judge::median(seconds) / (0.6745 * 6f64.sqrt());
-        let own = rows.iter().all(|row| row.sigma[1].is_some());
+        let own = rows.iter().all(|row| row.sigma[1].get().is_some());
         let natural = if seen.is_finite() { seen.max(1e-4 * range) } else { 1e-2 * range };
         // Rows may have their own.
         let stated = match own {
-            true => Some(judge::median(rows.iter().filter_map(|row| row.sigma[1]).collect())),
+            true => Some(judge::median(rows.iter().filter_map(|row| row.sigma[1].get()).collect())),
             false => problem.sigma[1],
         };
         let (y, unit) = stated.map_or((natural, 1.0), |sigma| (sigma, (sigma / natural).clamp(1e-300, 1e300)));
@@ -182,7 +182,8 @@ impl Resolved {
         let held = minimise::held(objective, fitted, jacobian, evaluation);
         let open = limits::open(objective, minimum);
         let kept: Vec<usize> = (0..fitted.len()).filter(|place| !held[*place] && !open[*place]).collect();
-        let spectrum = Spectrum::new(&objective.information(fitted, evaluation)?.select_columns(&kept));
+        let all = objective.information(fitted, evaluation)?;
+        let spectrum = Spectrum::new(if kept.len() < fitted.len() { all.select_columns(&kept) } else { all });
         // Of what the data do not determine nothing is used up.
         let counted = problem.rows.len() + problem.priors() + usize::from(problem.pull_off.is_some());
         let dof = counted.saturating_sub(kept.len() - spectrum.nullity());
@@ -230,6 +231,10 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         "m" => "m^2",
         _ => "N^2/m^2",
     };
+    // What evaluates the objective again comes before the rows of the answer: of a long record each of these counts.
+    let steps = if determined { errors.steps(evaluation) } else { Vec::new() };
+    let budget = if status.has_estimates() { super::budget::of(&errors, minimum) } else { Vec::new() };
+    let trend = if status.has_estimates() { suspects::trend(objective, &errors, minimum, dof) } else { None };
     let rows = rows(objective, minimum)?;
     let residuals: Vec<f64> = rows.iter().map(|row| row.residual).collect();
     let of_legs = hysteresis::of_legs(objective, &residuals);
@@ -255,7 +260,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         sigma: [objective.x_scale.and(problem.sigma[0]).unwrap_or(0.0), objective.noise.y],
         distance: if vertical { "vertical" } else { "orthogonal" },
         runs_test: judge::runs_test(&residuals),
-        autocorrelation: judge::autocorrelation(&of_legs.iter().map(Vec::as_slice).collect::<Vec<_>>(), dof),
+        autocorrelation: judge::autocorrelation(&of_legs, dof),
         rows,
         arcs: drawn(objective, minimum)?,
         predicted_pull_off: None,
@@ -274,7 +279,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         smoothing: Vec::new(),
         legs: Vec::new(),
         quantities: Vec::new(),
-        budget: Vec::new(),
+        budget,
         limits: Vec::new(),
         skipped: Vec::new(),
     };
@@ -287,17 +292,14 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
     super::warnings::add(&mut fit, objective, minimum, &resolved.held, spectrum.smallest());
     if fit.status.has_estimates() {
         super::quantities::add(&mut fit, &errors, minimum)?;
-        super::budget::add(&mut fit, &errors, minimum);
     }
     limits::of_pinned(&mut fit, objective, minimum, &resolved.open)?;
     super::warnings::of_minima(&mut fit);
     super::warnings::of_scatter(&mut fit, scatter.seen, by_residuals * objective.noise.y_scale);
     super::steepness::add(&mut fit, objective, minimum)?;
-    let steps = if determined { errors.steps(evaluation) } else { Vec::new() };
     let lowest = steps.iter().min_by(|one, other| one.rise.total_cmp(&other.rise));
     let lower = lowest.filter(|step| step.rise < LOWER).map(|step| step.fitted.clone());
     super::warnings::of_steps(&mut fit, objective, &steps);
-    let trend = if fit.status.has_estimates() { suspects::trend(objective, &errors, minimum, dof) } else { None };
     Ok(Answer { fit, trend, lower, resolved })
 }
 
@@ -334,7 +336,7 @@ fn poor_fit(chi2: f64, dof: usize, p: f64) -> String {
 /// The reason why an end is no stationary point, and a remedy.
 fn not_converged(objective: &Objective<'_>, minimum: &Minimum) -> String {
     let Minimum { evaluation, gradient, evaluations, .. } = minimum;
-    let is_at_fold = |(row, label): (&super::problem::DataRow, &usize)| {
+    let is_at_fold = |(row, label): (&super::problem::DataRow, &u32)| {
         let end = evaluation.arc(row, *label).and_then(arcs::Arc::inner_fold);
         end.is_some_and(|end| {
             (evaluation.numbers.untrended(row)[0] - end.at[0]).abs() < AT_FOLD * objective.noise.beyond

@@ -1,5 +1,7 @@
 //! Starts for two works of adhesion: each leg alone tells E*, its own w and the offsets; the other w is searched for.
 
+use std::sync::Arc as Shared;
+
 use mdr_core::contact::Edge;
 
 use super::judge;
@@ -30,7 +32,7 @@ const LOWER_ALONE: [f64; 5] = [1.0, 0.7, 0.45, 0.25, 0.12];
 /// Starts by each leg alone.
 pub(super) fn from_legs(objective: &Objective<'_>, problem: &Problem, source: Source) -> Vec<(&'static str, Start)> {
     let stride = problem.rows.len().div_ceil(ROWS).max(1);
-    let few = Problem { rows: problem.rows.iter().copied().step_by(stride).collect(), ..problem.clone() };
+    let few = Problem { rows: Shared::new(problem.rows.iter().copied().step_by(stride).collect()), ..problem.clone() };
     let Ok(search) = Objective::new(&few, objective.x_scale, objective.noise) else { return Vec::new() };
     let ends = judge::extent(problem.rows.iter().map(|row| row.x));
     let span = ends[1] - ends[0];
@@ -59,7 +61,7 @@ pub(super) fn from_legs(objective: &Objective<'_>, problem: &Problem, source: So
 /// The problem of one leg with one work of adhesion, up to a place.
 fn alone(problem: &Problem, leg: Leg, edge: Edge, up_to: f64) -> Option<Problem> {
     let rows: Vec<_> = problem.rows.iter().copied().filter(|row| row.leg == leg && row.x <= up_to).collect();
-    let mut alone = Problem { rows, ..problem.clone() };
+    let mut alone = Problem { rows: Shared::new(rows), ..problem.clone() };
     let own = alone.parameters.iter().find(|parameter| parameter.kind == Kind::Work(edge))?.clone();
     for parameter in &mut alone.parameters {
         match parameter.kind {

@@ -92,7 +92,7 @@ impl Errors<'_> {
             for (other, place) in self.kept.iter().enumerate() {
                 fitted[*place] += sign * self.scales[1] * self.spectrum.covariance(&unit(other), &own) / deviation;
             }
-            let cost = self.objective.evaluate(&fitted, Some(evaluation)).ok()?.cost();
+            let cost = self.objective.evaluate(&fitted, Some(&evaluation.turns)).ok()?.cost();
             let rise = (cost - evaluation.cost()) / self.scales[1].powi(2);
             rise.is_finite().then_some(Step { place: self.kept[index], fitted, rise })
         };

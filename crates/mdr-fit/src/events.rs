@@ -18,7 +18,7 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
     fit.predicted_pull_off = pull_off(errors, minimum)?;
     let rows = &fit.rows;
     let data = &errors.objective.rows;
-    let pair = |leg: Leg, index: usize| rows[index].leg == leg && data[index].at.part == data[index - 1].at.part;
+    let pair = |leg: Leg, index: usize| rows[index].leg == leg && data[index].part == data[index - 1].part;
     let breaks = (1..rows.len())
         .find(|index| pair(Leg::Retract, *index) && rows[*index].label < 0 && rows[*index - 1].label >= 0)
         .map(|index| index - 1);

@@ -90,7 +90,7 @@ fn search(problem: &Problem, pressed: &Tip<f64>) -> Option<Vec<(&'static str, [f
     let states: Vec<State> = rows.iter().map(state).collect();
     let mut parts = Vec::new();
     let mut first = 0;
-    for leg in rows.chunk_by(|one, other| one.at.part == other.at.part) {
+    for leg in rows.chunk_by(|one, other| one.part == other.part) {
         let states = &states[first..first + leg.len()];
         first += leg.len();
         parts.push(Part { leg: leg[0].leg, states });

@@ -23,7 +23,7 @@ const FALL: f64 = 25.0;
 /// Adds a judgement of the residuals of each leg.
 pub(super) fn legs(fit: &mut Fit, objective: &Objective<'_>) {
     let mut first = 0;
-    for leg in objective.rows.chunk_by(|one, other| one.at.part == other.at.part) {
+    for leg in objective.rows.chunk_by(|one, other| one.part == other.part) {
         let rows = &fit.rows[first..first + leg.len()];
         first += leg.len();
         let residuals: Vec<f64> = rows.iter().map(|row| row.residual).collect();
@@ -41,13 +41,13 @@ pub(super) fn legs(fit: &mut Fit, objective: &Objective<'_>) {
 }
 
 /// The residuals of each leg of a record.
-pub(super) fn of_legs(objective: &Objective<'_>, residuals: &[f64]) -> Vec<Vec<f64>> {
+pub(super) fn of_legs<'r>(objective: &Objective<'_>, residuals: &'r [f64]) -> Vec<&'r [f64]> {
     let mut rest = residuals;
-    let legs = objective.rows.chunk_by(|one, other| one.at.part == other.at.part);
+    let legs = objective.rows.chunk_by(|one, other| one.part == other.part);
     let of_leg = |leg: &[DataRow]| {
         let (own, other) = rest.split_at(leg.len().min(rest.len()));
         rest = other;
-        own.to_vec()
+        own
     };
     legs.map(of_leg).collect()
 }

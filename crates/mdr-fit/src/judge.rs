@@ -44,9 +44,10 @@ pub(super) struct Spectrum {
 }
 
 impl Spectrum {
-    pub(super) fn new(jacobian: &DMatrix<f64>) -> Self {
+    /// Of a Jacobian, whose columns are brought to length one in place.
+    pub(super) fn new(jacobian: DMatrix<f64>) -> Self {
         let lengths: Vec<f64> = jacobian.column_iter().map(|column| length(&column.into_owned())).collect();
-        let mut scaled = jacobian.clone();
+        let mut scaled = jacobian;
         for (mut column, length) in scaled.column_iter_mut().zip(&lengths) {
             if *length > 0.0 {
                 column /= *length;

@@ -2,7 +2,7 @@
 
 use mdr_core::contact::{Edge, Result};
 
-use super::arcs::{self, Arc};
+use super::arcs::{self, Arc, Turn};
 use super::contact::Contact;
 use super::foot::{self, Foot};
 use super::judge;
@@ -14,7 +14,7 @@ use super::sheet::{self, Sheet};
 
 impl Objective<'_> {
     /// The sheet of each leg, with labels and feet of its rows.
-    pub(super) fn label(&self, evaluation: &mut Evaluation, before: Option<&Evaluation>) -> Result<()> {
+    pub(super) fn label(&self, evaluation: &mut Evaluation, before: Option<&[Vec<Turn>]>) -> Result<()> {
         let observation = self.problem.observation;
         let numbers = evaluation.numbers.clone();
         let margin = 5.0 * self.x_scale.unwrap_or(0.0).max(self.noise.beyond);
@@ -28,17 +28,17 @@ impl Objective<'_> {
             let sheet =
                 Sheet { numbers: numbers.of_edge(*direction), direction: *direction, pin: None, arcs: Vec::new() };
             let contact = sheet.contact(&evaluation.tip, observation);
-            let turns = sheet::turns(&contact, before.and_then(|before| before.turns.get(index)).map(Vec::as_slice))?;
+            let turns = sheet::turns(&contact, before.and_then(|before| before.get(index)).map(Vec::as_slice))?;
             if index == 0 {
                 let arcs = arcs::arcs(&contact, &turns, range)?;
                 evaluation.sheets.push(Sheet { arcs, ..sheet });
             }
             evaluation.turns.push(turns);
         }
-        let parts = self.rows.last().map_or(0, |row| row.at.part + 1);
+        let parts = self.rows.last().map_or(0, |row| row.part as usize + 1);
         evaluation.of_part = vec![0; parts];
         let mut first = 0;
-        for leg in self.rows.chunk_by(|one, other| one.at.part == other.at.part) {
+        for leg in self.rows.chunk_by(|one, other| one.part == other.part) {
             let index = match (numbers.works, leg[0].leg) {
                 (Some(_), Leg::Retract) => {
                     let sheet = self.receding(evaluation, &leg[0], range)?;
@@ -47,11 +47,11 @@ impl Objective<'_> {
                 }
                 _ => 0,
             };
-            evaluation.of_part[leg[0].at.part] = index;
+            evaluation.of_part[leg[0].part as usize] = index;
             let contact = evaluation.contact(observation, index);
             let (labels, feet) = self.label_leg(&contact, &evaluation.sheets[index].arcs, leg, first)?;
-            evaluation.labels.extend(labels);
-            evaluation.feet.extend(feet);
+            follow(&mut evaluation.labels, labels);
+            follow(&mut evaluation.feet, feet);
             first += leg.len();
         }
         Ok(())
@@ -61,7 +61,7 @@ impl Objective<'_> {
     fn receding(&self, evaluation: &Evaluation, first: &DataRow, range: [f64; 2]) -> Result<Sheet> {
         let numbers = &evaluation.numbers;
         let advancing = evaluation.contact(self.problem.observation, 0);
-        let [x, time] = first.at.turn;
+        let [x, time] = self.problem.turns[first.part as usize];
         // Where the approach ended: on its arc, if it is in the data.
         let before = evaluation.labels.len().checked_sub(1).filter(|before| self.rows[*before].leg == Leg::Approach);
         let level = before.map(|before| evaluation.labels[before]);
@@ -94,36 +94,49 @@ impl Objective<'_> {
         arcs: &[Arc],
         leg: &[DataRow],
         first: usize,
-    ) -> Result<(Vec<usize>, Vec<Option<Foot>>)> {
+    ) -> Result<(Vec<u32>, Vec<Option<Foot>>)> {
         // Level 0 is detached, each other that of an arc.
         let levels = arcs.len() + 1;
         let mut costs = vec![f64::INFINITY; levels * leg.len()];
-        let mut found = vec![None; levels * leg.len()];
-        let of_rows = costs.chunks_mut(levels).zip(found.chunks_mut(levels));
-        for ((index, row), (costs, feet)) in leg.iter().enumerate().zip(of_rows) {
+        let mut found = vec![vec![None; leg.len()]; arcs.len().max(1)];
+        for ((index, row), costs) in leg.iter().enumerate().zip(costs.chunks_mut(levels)) {
             let scales = self.scales(row);
             let place = contact.numbers.untrended(row);
             let held = self.at_fold.iter().find(|held| held.row == first + index && held.beyond == 0.0);
-            if let Some(fold) = held.and_then(|held| arcs.get(held.level - 1)).and_then(Arc::inner_fold) {
-                let level = held.map_or(0, |held| held.level);
+            if let Some(held) = held
+                && let Some(fold) = sheet::arc(arcs, held.level).and_then(Arc::inner_fold)
+            {
                 let foot = foot::at_fold(fold, place, scales.y);
-                costs[level] = self.loss(foot.residual)[0].powi(2);
-                feet[level] = Some(foot);
+                costs[held.level as usize] = self.loss(foot.residual)[0].powi(2);
+                found[held.level as usize - 1][index] = Some(foot);
                 continue;
             }
             if self.can_be(row, true) || arcs.is_empty() {
                 costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
             }
             if self.can_be(row, false) {
-                for (index, arc) in arcs.iter().enumerate() {
+                for (arc, (cost, feet)) in arcs.iter().zip(costs[1..].iter_mut().zip(&mut found)) {
                     let foot = arc.foot(contact, place, &scales)?;
-                    costs[index + 1] = self.loss(foot.residual)[0].powi(2);
-                    feet[index + 1] = Some(foot);
+                    *cost = self.loss(foot.residual)[0].powi(2);
+                    feet[index] = Some(foot);
                 }
             }
         }
         let cheapest = cheapest(&costs, levels, leg.first().map_or(Leg::Retract, |row| row.leg));
-        let feet = cheapest.iter().zip(found.chunks(levels)).map(|(level, feet)| feet[*level]).collect();
+        // Those of the first arc make room for all.
+        let mut feet = std::mem::take(&mut found[0]);
+        for (index, (foot, level)) in feet.iter_mut().zip(&cheapest).enumerate() {
+            match *level as usize {
+                0 => *foot = None,
+                1 => {}
+                level => *foot = found[level - 1][index],
+            }
+        }
         Ok((cheapest, feet))
     }
+}
+
+/// Appends a list; the first is taken as it is, since a list of all rows of a long record is large.
+fn follow<T>(list: &mut Vec<T>, more: Vec<T>) {
+    if list.is_empty() { *list = more } else { list.extend(more) }
 }

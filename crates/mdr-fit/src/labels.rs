@@ -6,26 +6,26 @@ use super::observation::Leg;
 /// inside out. Levels never fall on an approach and never rise on a retract.
 ///
 /// `costs` are the squared residuals, `levels` of each row, infinite where a level is impossible. Time is rows × levels.
-pub(super) fn cheapest(costs: &[f64], levels: usize, leg: Leg) -> Vec<usize> {
+pub(super) fn cheapest(costs: &[f64], levels: usize, leg: Leg) -> Vec<u32> {
     let position = |rank: usize| if leg == Leg::Approach { rank } else { levels - 1 - rank };
     // total[rank]: the least cost of the rows so far that end at this rank, which for a row has come from before[rank].
     let mut total = vec![0.0; levels];
-    let mut from = vec![0; costs.len()];
+    let mut from = vec![0_u32; costs.len()];
     for (row, before) in costs.chunks(levels).zip(from.chunks_mut(levels)) {
         let (mut best, mut least) = (0, f64::INFINITY);
         for rank in 0..levels {
             if total[rank] < least {
                 (best, least) = (rank, total[rank]);
             }
-            before[rank] = best;
+            before[rank] = best as u32;
             total[rank] = least + row[position(rank)];
         }
     }
     let mut rank = (0..levels).fold(0, |best, rank| if total[rank] < total[best] { rank } else { best });
-    let mut labels = vec![0; costs.len() / levels];
+    let mut labels = vec![0_u32; costs.len() / levels];
     for (label, before) in labels.iter_mut().zip(from.chunks(levels)).rev() {
-        *label = position(rank);
-        rank = before[rank];
+        *label = position(rank) as u32;
+        rank = before[rank] as usize;
     }
     labels
 }

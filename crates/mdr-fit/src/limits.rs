@@ -71,7 +71,7 @@ pub(super) fn of_pinned(fit: &mut Fit, objective: &Objective<'_>, minimum: &Mini
         let g = contact.tip.transform.g(&point.a)?;
         let known = contact.elongation(&point.a)?;
         let work = |d: f64| contact.numbers.work * ((g - d).max(0.0) / known).powi(2);
-        let next = objective.rows.get(index + 1).filter(|next| next.at.part == row.at.part);
+        let next = objective.rows.get(index + 1).filter(|next| next.part == row.part);
         let breaks = next.filter(|_| evaluation.labels[index + 1] == 0);
         let upper = breaks.map(|next| {
             let slope = contact.point(&(point.a * (1.0 + 1e-9))).map_or(1.0, |point| point.tangent[0]);

@@ -3,6 +3,7 @@
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
+use super::arcs::Turn;
 use super::judge;
 use super::objective::{AtFold, Evaluation, Objective};
 
@@ -16,6 +17,45 @@ pub(super) struct Minimum {
     pub(super) evaluations: usize,
     /// The rows that hold a fold there.
     pub(super) at_fold: Vec<AtFold>,
+}
+
+/// A minimum that was reached, without what it has of every row: enough to compare it with others and to return to it.
+pub(super) struct Reached {
+    pub(super) fitted: Vec<f64>,
+    pub(super) cost: f64,
+    pub(super) detached: usize,
+    pub(super) at_fold: Vec<AtFold>,
+    /// The folds of its curves.
+    pub(super) turns: Vec<Vec<Turn>>,
+    pub(super) evaluations: usize,
+}
+
+impl From<Minimum> for Reached {
+    fn from(Minimum { fitted, evaluation, evaluations, at_fold, .. }: Minimum) -> Self {
+        let (cost, detached) = (evaluation.cost(), evaluation.detached());
+        Reached { fitted, cost, detached, at_fold, turns: evaluation.turns, evaluations }
+    }
+}
+
+impl Reached {
+    /// The label of each row there.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn labels(&self, objective: &mut Objective<'_>) -> mdr_core::contact::Result<Vec<u32>> {
+        objective.at_fold.clone_from(&self.at_fold);
+        Ok(objective.evaluate(&self.fitted, Some(&self.turns))?.labels)
+    }
+
+    /// The minimum, followed to the end.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn followed(&self, objective: &mut Objective<'_>) -> mdr_core::contact::Result<Minimum> {
+        objective.at_fold.clone_from(&self.at_fold);
+        let evaluation = objective.evaluate(&self.fitted, Some(&self.turns))?;
+        polish(objective, &self.fitted, evaluation, self.evaluations, Precision::Full)
+    }
 }
 
 /// The factor on residuals where the objective has no value: far above any sum of squares of data, so that the step is refused
@@ -45,7 +85,8 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Place<'_, '_> {
 
     fn set_params(&mut self, fitted: &DVector<f64>) {
         self.fitted.clone_from(fitted);
-        let found = self.objective.evaluate(fitted.as_slice(), Some(&self.evaluation)).ok().filter(|_| self.is_near());
+        let found =
+            self.objective.evaluate(fitted.as_slice(), Some(&self.evaluation.turns)).ok().filter(|_| self.is_near());
         self.has_value = found.is_some();
         if let Some(evaluation) = found {
             self.evaluation = evaluation;
@@ -108,7 +149,7 @@ pub(super) fn descend(
     let evaluation = if place.evaluated.as_slice() == fitted.as_slice() {
         place.evaluation
     } else {
-        objective.evaluate(&fitted, Some(&place.evaluation))?
+        objective.evaluate(&fitted, Some(&place.evaluation.turns))?
     };
     Ok(End { fitted, evaluation, evaluations: place.evaluations })
 }
@@ -176,11 +217,13 @@ pub(super) fn polish(
         let next = inside_bounds(objective, &next);
         let size = (&jacobian * &step).norm() / evaluation.residuals.norm().max(f64::MIN_POSITIVE);
         // Steps that no longer become smaller are rounding; larger ones lead away.
-        let candidate = if size < last { objective.evaluate(&next, Some(&evaluation)).ok() } else { None };
+        let candidate = if size < last { objective.evaluate(&next, Some(&evaluation.turns)).ok() } else { None };
         match candidate.filter(|candidate| candidate.cost() <= evaluation.cost() * (1.0 + 1e-9)) {
             Some(candidate) => {
-                jacobian = objective.jacobian(&next, &candidate)?;
+                // The last evaluation and its Jacobian go before another is made.
                 (fitted, evaluation, last) = (next, candidate, size);
+                drop(std::mem::replace(&mut jacobian, DMatrix::zeros(0, 0)));
+                jacobian = objective.jacobian(&fitted, &evaluation)?;
             }
             // What has rows beyond the fold is no end where x is exact.
             None if hessian.is_none() && size > slow && !(objective.x_scale.is_none() && evaluation.is_beyond()) => {
@@ -233,7 +276,7 @@ fn curvature(
 ) -> Option<DMatrix<f64>> {
     let lengths: Vec<f64> = jacobian.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
     let slope = |fitted: &[f64]| -> Option<DVector<f64>> {
-        let evaluation = objective.evaluate(fitted, Some(evaluation)).ok()?;
+        let evaluation = objective.evaluate(fitted, Some(&evaluation.turns)).ok()?;
         let slope = objective.jacobian(fitted, &evaluation).ok()?.tr_mul(&evaluation.residuals);
         Some(DVector::from_iterator(lengths.len(), slope.iter().zip(&lengths).map(|(slope, length)| slope / length)))
     };

@@ -24,7 +24,7 @@ pub(super) struct Objective<'p> {
     /// The scale of X where a row has none of its own, in the unit of the noise; `None` for vertical distances.
     pub(super) x_scale: Option<f64>,
     /// Which rows count.
-    pub(super) rows: Vec<DataRow>,
+    pub(super) rows: Shared<Vec<DataRow>>,
     /// Rows whose X is that of the fold at which their arc ends.
     pub(super) at_fold: Vec<AtFold>,
     /// The profile, where all its numbers are known.
@@ -63,7 +63,7 @@ pub(super) struct AtFold {
     /// The row.
     pub(super) row: usize,
     /// Its level.
-    pub(super) level: usize,
+    pub(super) level: u32,
     /// How far beyond the row the fold is held; the row is at the fold where that is zero.
     pub(super) beyond: f64,
 }
@@ -82,7 +82,7 @@ pub(super) struct Evaluation {
     /// Which sheet each leg of the record has.
     pub(super) of_part: Vec<usize>,
     /// The level of each row: 0 detached, else one more than the index of its arc.
-    pub(super) labels: Vec<usize>,
+    pub(super) labels: Vec<u32>,
     /// The feet of rows in contact.
     pub(super) feet: Vec<Option<Foot>>,
     /// Residuals of the rows, of priors and of the pull-off.
@@ -92,7 +92,7 @@ pub(super) struct Evaluation {
 impl Evaluation {
     /// Which sheet a row has.
     pub(super) fn sheet_of(&self, row: &DataRow) -> usize {
-        self.of_part.get(row.at.part).copied().unwrap_or(0)
+        self.of_part.get(row.part as usize).copied().unwrap_or(0)
     }
 
     /// The sheet on which the contact breaks.
@@ -131,7 +131,7 @@ impl Evaluation {
     }
 
     /// The arc of a row in contact.
-    pub(super) fn arc(&self, row: &DataRow, level: usize) -> Option<&Arc> {
+    pub(super) fn arc(&self, row: &DataRow, level: u32) -> Option<&Arc> {
         self.sheets[self.sheet_of(row)].arc(level)
     }
 
@@ -144,8 +144,15 @@ impl Evaluation {
 impl<'p> Objective<'p> {
     pub(super) fn new(problem: &'p Problem, x_scale: Option<f64>, noise: Noise) -> Result<Self> {
         let free: Vec<usize> = (0..problem.parameters.len()).filter(|index| problem.parameters[*index].free).collect();
-        let mut objective =
-            Objective { problem, free, noise, x_scale, rows: problem.rows.clone(), at_fold: Vec::new(), tip: None };
+        let mut objective = Objective {
+            problem,
+            free,
+            noise,
+            x_scale,
+            rows: Shared::clone(&problem.rows),
+            at_fold: Vec::new(),
+            tip: None,
+        };
         if objective.free_of_profile().is_empty() {
             let numbers: Vec<f64> = {
                 let given = |index: usize| problem.parameters[index].value.unwrap_or(f64::NAN);
@@ -220,34 +227,34 @@ impl<'p> Objective<'p> {
     /// Whether all rows count alike and vertically, so that σ_Y is not needed.
     pub(super) fn counts_alike(&self) -> bool {
         self.x_scale.is_none()
-            && self.rows.iter().all(|row| row.sigma[1].is_none())
+            && self.rows.iter().all(|row| row.sigma[1].get().is_none())
             && self.problem.loss == Loss::LeastSquares
             && self.priors().next().is_none()
     }
 
     /// σ_Y of a row, in the unit of the noise.
     pub(super) fn y_scale(&self, row: &DataRow) -> f64 {
-        row.sigma[1].map_or(self.noise.y_scale, |own| self.noise.scaled(own))
+        row.sigma[1].get().map_or(self.noise.y_scale, |own| self.noise.scaled(own))
     }
 
     /// The scales of a row, in the unit of the noise.
     pub(super) fn scales(&self, row: &DataRow) -> Scales {
-        let own = |x: f64| row.sigma[0].map_or(x, |own| x.max(self.noise.scaled(own)));
+        let own = |x: f64| row.sigma[0].get().map_or(x, |own| x.max(self.noise.scaled(own)));
         Scales { x: self.x_scale.map(own).filter(|x| *x > 0.0), y: self.y_scale(row), beyond: self.noise.beyond }
     }
 
     /// The scales of a row as they are stated, so that their decimals are exact.
     #[cfg(feature = "mp")]
     pub(super) fn stated_scales(&self, row: &DataRow) -> Scales {
-        let x = row.sigma[0].or(self.problem.sigma[0]).filter(|_| self.x_scale.is_some());
-        Scales { x, y: row.sigma[1].unwrap_or(self.noise.y), beyond: self.noise.beyond }
+        let x = row.sigma[0].get().or(self.problem.sigma[0]).filter(|_| self.x_scale.is_some());
+        Scales { x, y: row.sigma[1].get().unwrap_or(self.noise.y), beyond: self.noise.beyond }
     }
 
     /// The residuals at these fitted values; folds are followed from an earlier evaluation where there is one.
     ///
     /// # Errors
     /// A number out of its domain; errors of the transform.
-    pub(super) fn evaluate(&self, fitted: &[f64], before: Option<&Evaluation>) -> Result<Evaluation> {
+    pub(super) fn evaluate(&self, fitted: &[f64], before: Option<&[Vec<Turn>]>) -> Result<Evaluation> {
         let numbers = self.numbers(fitted);
         let tip = match &self.tip {
             Some(tip) => Shared::clone(tip),
@@ -259,18 +266,18 @@ impl<'p> Objective<'p> {
             turns: Vec::new(),
             sheets: Vec::new(),
             of_part: Vec::new(),
-            labels: Vec::with_capacity(self.rows.len()),
-            feet: Vec::with_capacity(self.rows.len()),
+            labels: Vec::new(),
+            feet: Vec::new(),
             residuals: DVector::zeros(0),
         };
         self.label(&mut evaluation, before)?;
         let numbers = &evaluation.numbers;
-        let mut residuals: Vec<f64> = self
-            .rows
-            .iter()
-            .zip(&evaluation.feet)
-            .map(|(row, foot)| self.loss(foot.map_or_else(|| self.detached(numbers, row), |foot| foot.residual))[0])
-            .collect();
+        let of_row = |(row, foot): (&DataRow, &Option<Foot>)| {
+            self.loss(foot.map_or_else(|| self.detached(numbers, row), |foot| foot.residual))[0]
+        };
+        // So many, and no more: of a long record half as much again counts.
+        let mut residuals = Vec::with_capacity(self.residuals());
+        residuals.extend(self.rows.iter().zip(&evaluation.feet).map(of_row));
         residuals.extend(self.prior_residuals(fitted));
         if let Some([place, sd]) = self.problem.pull_off {
             let contact = evaluation.contact(self.problem.observation, evaluation.breaking());
@@ -285,6 +292,11 @@ impl<'p> Objective<'p> {
         }
         evaluation.residuals = DVector::from_vec(residuals);
         Ok(evaluation)
+    }
+
+    /// How many residuals there are: of the rows, of priors, of the pull-off, and of folds that are held.
+    fn residuals(&self) -> usize {
+        self.rows.len() + self.priors().count() + usize::from(self.problem.pull_off.is_some()) + self.at_fold.len()
     }
 
     pub(super) fn detached(&self, numbers: &Numbers<f64>, row: &DataRow) -> f64 {
@@ -314,8 +326,8 @@ impl<'p> Objective<'p> {
 
     /// Whether a row of the same leg has left the arc whose fold is held, so that the fold lies between two rows.
     pub(super) fn is_bracketed(&self, evaluation: &Evaluation, held: &AtFold) -> bool {
-        let part = self.rows[held.row].at.part;
-        let of_leg = self.rows.iter().zip(&evaluation.labels).filter(|(row, _)| row.at.part == part);
+        let part = self.rows[held.row].part;
+        let of_leg = self.rows.iter().zip(&evaluation.labels).filter(|(row, _)| row.part == part);
         of_leg.map(|(_, label)| *label).any(|label| label < held.level)
     }
 

@@ -1,5 +1,7 @@
 //! A problem of fitting: a profile, an observation, rows, and unknowns.
 
+use std::sync::Arc as Shared;
+
 use mdr_core::contact::Edge;
 use mdr_core::text::excerpt;
 use mdr_core::units::SiUnit;
@@ -19,21 +21,31 @@ use mdr::scene::{ExactMedium, IntoProfile, Profile};
 pub(super) struct DataRow {
     pub(super) x: f64,
     pub(super) y: f64,
-    pub(super) leg: Leg,
+    /// When it was recorded: in s from the first row where times are known, else in shares of the record.
+    pub(super) time: f64,
     /// Its own σ_X and σ_Y.
-    pub(super) sigma: [Option<f64>; 2],
-    pub(super) at: Moment,
+    pub(super) sigma: [OwnSigma; 2],
+    /// The leg of the record, by its number.
+    pub(super) part: u32,
+    pub(super) leg: Leg,
 }
 
-/// When a row was recorded.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Moment {
-    /// The leg of the record, by its number.
-    pub(super) part: usize,
-    /// In s from the first row where times are known, else in shares of the record.
-    pub(super) time: f64,
-    /// X and time where this leg and the one before meet.
-    pub(super) turn: [f64; 2],
+/// A standard deviation that a row has for itself, or none, in the room of a number: a long record has many rows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OwnSigma(f64);
+
+impl OwnSigma {
+    pub(super) const NONE: OwnSigma = OwnSigma(f64::NAN);
+
+    pub(super) fn get(self) -> Option<f64> {
+        (!self.0.is_nan()).then_some(self.0)
+    }
+}
+
+impl From<Option<f64>> for OwnSigma {
+    fn from(sigma: Option<f64>) -> Self {
+        sigma.map_or(OwnSigma::NONE, OwnSigma)
+    }
 }
 
 /// A measured curve and the numbers to be found from it. All numbers are in SI units.
@@ -43,7 +55,10 @@ pub struct Problem {
     pub(super) medium: ExactMedium,
     pub(super) observation: Observation,
     pub(super) parameters: Vec<Parameter>,
-    pub(super) rows: Vec<DataRow>,
+    /// One copy serves all problems that are made of this one on the way to an answer.
+    pub(super) rows: Shared<Vec<DataRow>>,
+    /// X and time where each leg of the record and the one before meet.
+    pub(super) turns: Vec<[f64; 2]>,
     /// σ_X and σ_Y of all rows, where they are given.
     pub(super) sigma: [Option<f64>; 2],
     pub(super) loss: Loss,
@@ -74,9 +89,10 @@ impl Problem {
     pub(super) fn with(
         profile: Profile,
         observation: Observation,
-        rows: Vec<DataRow>,
+        mut rows: Vec<DataRow>,
         place: Location,
     ) -> Result<Problem> {
+        let turns = super::select::arrange(&mut rows, false);
         super::data::check(&rows).map_err(|why| place.refuse(why))?;
         let parameter = |kind, name: &str, unit, value| Parameter {
             kind,
@@ -124,7 +140,8 @@ impl Problem {
             medium: ExactMedium::HalfSpace,
             observation,
             parameters,
-            rows,
+            rows: Shared::new(rows),
+            turns,
             sigma: [None; 2],
             loss: Loss::default(),
             pull_off: None,
@@ -284,9 +301,11 @@ impl Problem {
         if legs.len() != self.rows.len() {
             return Err(refuse("data.leg", format!("{} given for {} rows", legs.len(), self.rows.len())));
         }
-        for (row, leg) in self.rows.iter_mut().zip(legs) {
+        let rows = Shared::make_mut(&mut self.rows);
+        for (row, leg) in rows.iter_mut().zip(legs) {
             row.leg = *leg;
         }
+        self.turns = super::select::arrange(rows, self.selection.has_times);
         Ok(self)
     }
 
@@ -349,14 +368,14 @@ impl Problem {
     pub(super) fn seen(&self, row: &DataRow) -> [f64; 2] {
         let known = |kind: Kind| self.known(kind).unwrap_or(0.0);
         let [slope, drift] = [Kind::BaselineSlope, Kind::BaselineDrift].map(known);
-        let y = row.y - slope * (row.x - known(Kind::ContactPoint)) - drift * row.at.time;
+        let y = row.y - slope * (row.x - known(Kind::ContactPoint)) - drift * row.time;
         let y = match self.known(Kind::Sensitivity) {
             Some(sensitivity) if sensitivity != 1.0 => {
                 known(Kind::Baseline) + sensitivity * (y - known(Kind::Baseline))
             }
             _ => y,
         };
-        [row.x - known(Kind::PositionDrift) * row.at.time, y]
+        [row.x - known(Kind::PositionDrift) * row.time, y]
     }
 
     /// Whether the number of a kind is unknown.

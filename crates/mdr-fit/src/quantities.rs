@@ -46,9 +46,8 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
         let label = "adhesion force: the smallest force of the fitted curve";
         add("adhesion_force", label, -point.f, Some(errors.stderr(&gradient)), force_unit);
     }
-    let rows = retracted(fit, errors, minimum);
-    let in_contact = || rows.iter().filter(|row| row.in_contact);
-    let lowest = in_contact().map(|row| row.force).fold(f64::INFINITY, f64::min);
+    let rows = || retracted(fit, errors, minimum);
+    let lowest = rows().filter(|row| row.in_contact).map(|row| row.force).fold(f64::INFINITY, f64::min);
     add("adhesion_force_measured", "adhesion force: the smallest force of a row in contact", -lowest, None, force_unit);
     if let Some(event) = &fit.predicted_pull_off
         && let Some(force) = event.force
@@ -73,13 +72,13 @@ pub(super) fn add(fit: &mut Fit, errors: &Errors<'_>, minimum: &Minimum) -> Resu
         if let Some(work) = separation(contact, arcs)? {
             add("separation_work", label, work, None, work_unit);
         }
-        let pulled = |pair: &[Row]| {
-            let mean = pair.iter().map(|row| (-row.force).max(0.0)).sum::<f64>() / 2.0;
-            if pair[1].in_contact { mean * (pair[0].x - pair[1].x) } else { 0.0 }
+        let pulled = |(one, next): (Row, Row)| {
+            let mean = [&one, &next].map(|row| (-row.force).max(0.0)).iter().sum::<f64>() / 2.0;
+            if next.in_contact { mean * (one.x - next.x) } else { 0.0 }
         };
-        let breaks = rows.iter().any(|row| row.in_contact) && rows.last().is_some_and(|row| !row.in_contact);
+        let breaks = rows().any(|row| row.in_contact) && rows().last().is_some_and(|row| !row.in_contact);
         if breaks {
-            let work: f64 = rows.windows(2).map(pulled).sum();
+            let work: f64 = rows().zip(rows().skip(1)).map(pulled).sum();
             add("separation_work_measured", "work of separation: of the rows in contact", work, None, work_unit);
         }
     }
@@ -94,17 +93,18 @@ struct Row {
     in_contact: bool,
 }
 
-fn retracted(fit: &Fit, errors: &Errors<'_>, minimum: &Minimum) -> Vec<Row> {
+/// The rows of the last leg that retracts.
+fn retracted<'f>(fit: &'f Fit, errors: &'f Errors<'_>, minimum: &'f Minimum) -> impl Iterator<Item = Row> + 'f {
     let data = &errors.objective.rows;
     let numbers = &minimum.evaluation.numbers;
-    let last = data.iter().rev().find(|row| row.leg == Leg::Retract).map(|row| row.at.part);
-    let rows = data.iter().zip(&fit.rows).filter(|(row, _)| Some(row.at.part) == last);
+    let last = data.iter().rev().find(|row| row.leg == Leg::Retract).map(|row| row.part);
+    let rows = data.iter().zip(&fit.rows).filter(move |(row, _)| Some(row.part) == last);
     let row = |(row, fitted): (&super::problem::DataRow, &super::answer::FittedRow)| {
         let [x, y] = numbers.untrended(row);
         let [_, force] = numbers.state(errors.objective.problem.observation, [x, y]);
         Row { x, force, in_contact: fitted.label >= 0 }
     };
-    rows.map(row).collect()
+    rows.map(row)
 }
 
 /// The smallest force on stable arcs, and whether it is at a fold.

@@ -113,7 +113,10 @@ fn read(top: &Section<'_>, curve: Option<Curve<'_>>) -> Result<Problem> {
         problem = problem.medium(pressed).map_err(|error| at(error, section.place()))?;
     }
     (problem.sigma, problem.read) = (sigma, record.text);
-    (problem.selection.missing, problem.selection.times) = (record.missing.len(), times);
+    problem.selection.missing = record.missing.len();
+    if let Some(times) = times {
+        problem = problem.times(&times)?;
+    }
     problem = picked(problem, &data, mask)?;
     if let Some(ends) = saturation {
         let range = pair(&ends, data::si_unit(problem.units()[1]))?;
@@ -189,7 +192,7 @@ fn pair(value: &InputValue<'_>, unit: SiUnit) -> Result<[f64; 2]> {
 /// The time of each row that has numbers: of a column, or of a list.
 fn times(data: &Section<'_>, record: &Record) -> Result<Option<Vec<f64>>> {
     let Some(value) = data.optional("time") else {
-        return Ok(record.has_times.then(|| record.rows.iter().map(|row| row.at.time).collect()));
+        return Ok(record.has_times.then(|| record.rows.iter().map(|row| row.time).collect()));
     };
     let list = value.list_of(data::MOST_ROWS, data::FEWER_ROWS)?;
     let list: Vec<f64> = list.iter().map(|time| number(time, SiUnit::One)).collect::<Result<_>>()?;

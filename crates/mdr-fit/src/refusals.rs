@@ -84,7 +84,7 @@ pub(super) fn check(problem: &Problem) -> Result<()> {
             format!("`{name}` is neither free nor given: add it to `free`, or give it in {where_to}"),
         );
     }
-    let has_sigma = problem.sigma[1].is_some() || problem.rows.iter().all(|row| row.sigma[1].is_some());
+    let has_sigma = problem.sigma[1].is_some() || problem.rows.iter().all(|row| row.sigma[1].get().is_some());
     if !has_sigma && (priors > 0 || problem.loss == Loss::Huber) {
         let what = if priors > 0 { "a prior is weighed against the rows" } else { "the loss `huber` counts in σ" };
         return refuse(

@@ -42,9 +42,23 @@ pub(super) fn rows(objective: &Objective<'_>, minimum: &Minimum) -> Result<Vec<F
             None => ([place[0], evaluation.numbers.baseline], None, -1, false),
         };
         let fitted = [at[0] + trend[0], at[1] + trend[1]];
-        Ok(FittedRow { x: row.x, y: row.y, leg: row.leg, label, residual, fitted, contact_radius, pinned })
+        Ok::<_, mdr::Error>(FittedRow {
+            x: row.x,
+            y: row.y,
+            leg: row.leg,
+            label,
+            residual,
+            fitted,
+            contact_radius,
+            pinned,
+        })
     };
-    objective.rows.iter().enumerate().map(row).collect()
+    // So many, and no more.
+    let mut rows = Vec::with_capacity(objective.rows.len());
+    for pair in objective.rows.iter().enumerate() {
+        rows.push(row(pair)?);
+    }
+    Ok(rows)
 }
 
 /// The arcs as points (X, Y, a): of each leg the outermost first.

@@ -1,9 +1,11 @@
 //! Which rows of a record count, its legs by number, and the time of each row.
 
+use std::sync::Arc as Shared;
+
 use super::judge;
 use super::observation::Leg;
 use super::parameter::refuse;
-use super::problem::{DataRow, Moment, Problem};
+use super::problem::{DataRow, Problem};
 use mdr::Result;
 
 /// The share of the range of X by which a record goes back where it turns.
@@ -20,8 +22,8 @@ pub(super) struct Selection {
     /// Of X and Y as they are recorded.
     pub(super) within: [Option<[f64; 2]>; 2],
     pub(super) saturation: Option<[f64; 2]>,
-    /// In s, of each row.
-    pub(super) times: Option<Vec<f64>>,
+    /// Whether the rows have times in s.
+    pub(super) has_times: bool,
     /// Rows without a number that are left out already.
     pub(super) missing: usize,
     /// Reasons with the numbers of rows that were left out.
@@ -72,20 +74,22 @@ impl Problem {
         if let Some(time) = times.iter().find(|time| !time.is_finite()) {
             return Err(refuse("data.time", format!("must be finite, got {time}")));
         }
-        self.selection.times = Some(times.to_vec());
+        let rows = Shared::make_mut(&mut self.rows);
+        rows.iter_mut().zip(times).for_each(|(row, time)| row.time = *time);
+        self.selection.has_times = true;
+        self.turns = arrange(rows, true);
         Ok(self)
     }
 }
 
-/// The problem with the rows that count, each with its moment.
+/// The problem with the rows that count.
 ///
 /// # Errors
 /// Rows that are in no order; too few rows that count.
 pub(super) fn selected(problem: &Problem) -> Result<Problem> {
     let mut selected = problem.clone();
-    let Selection { only, within, saturation, times, missing, .. } = &problem.selection;
-    arrange(&mut selected.rows, times.as_deref());
-    let parts = selected.rows.last().map_or(0, |row| row.at.part + 1);
+    let Selection { only, within, saturation, has_times, missing, .. } = &problem.selection;
+    let parts = selected.turns.len();
     let is_ordered = problem.observation.sees_radius() || parts <= FEW_LEGS;
     if !is_ordered && selected.rows.len() < ROWS_OF_A_LEG * parts {
         return Err(problem.place.refuse(format!(
@@ -94,13 +98,13 @@ pub(super) fn selected(problem: &Problem) -> Result<Problem> {
             selected.rows.len()
         )));
     }
-    let of_baseline = match (times.is_some(), problem.units()[1]) {
+    let of_baseline = match (has_times, problem.units()[1]) {
         (true, "m") => "m/s",
         (true, "N") => "N/s",
         (true, _) => "N/(m s)",
         (false, unit) => unit,
     };
-    let drift = [of_baseline, if times.is_some() { "m/s" } else { "m" }];
+    let drift = [of_baseline, if *has_times { "m/s" } else { "m" }];
     for parameter in &mut selected.parameters {
         parameter.drift_unit = drift[usize::from(parameter.name == "position_drift")];
     }
@@ -120,13 +124,12 @@ pub(super) fn selected(problem: &Problem) -> Result<Problem> {
     };
     let mut skipped =
         vec![("not a number", *missing), ("saturated", 0), ("other leg", 0), ("outside of x", 0), ("outside of y", 0)];
-    selected.rows.retain(|row| {
-        let reason = reason(row);
-        skipped.iter_mut().filter(|(why, _)| Some(*why) == reason).for_each(|(_, count)| *count += 1);
-        reason.is_none()
-    });
+    for reason in problem.rows.iter().filter_map(reason) {
+        skipped.iter_mut().filter(|(why, _)| *why == reason).for_each(|(_, count)| *count += 1);
+    }
     skipped.retain(|(_, count)| *count > 0);
-    if selected.rows.len() < problem.rows.len() {
+    if problem.rows.iter().any(|row| reason(row).is_some()) {
+        Shared::make_mut(&mut selected.rows).retain(|row| reason(row).is_none());
         let left = skipped.iter().map(|(why, count)| format!("{count} {why}")).collect::<Vec<_>>().join(", ");
         let complain = |why: String| problem.place.refuse(format!("{why}; left out are {left}"));
         super::data::check(&selected.rows).map_err(complain)?;
@@ -135,17 +138,17 @@ pub(super) fn selected(problem: &Problem) -> Result<Problem> {
     Ok(selected)
 }
 
-/// Numbers the legs, also those that follow another of their own kind, and dates the rows.
-pub(super) fn arrange(rows: &mut [DataRow], times: Option<&[f64]>) {
+/// Numbers the legs, also those that follow another of their own kind, and dates the rows: from the first, or by their number. X and time
+/// where each leg and the one before meet.
+pub(super) fn arrange(rows: &mut [DataRow], has_times: bool) -> Vec<[f64; 2]> {
+    let Some(start) = rows.first().copied() else { return Vec::new() };
     let count = rows.len().saturating_sub(1).max(1) as f64;
-    let first = times.and_then(|times| times.first()).copied().unwrap_or(0.0);
     for (index, row) in rows.iter_mut().enumerate() {
-        row.at.time = times.and_then(|times| times.get(index)).map_or(index as f64 / count, |time| time - first);
+        row.time = if has_times { row.time - start.time } else { index as f64 / count };
     }
     let ends = judge::extent(rows.iter().map(|row| row.x));
     let back = TURN * (ends[1] - ends[0]);
-    let Some(start) = rows.first().copied() else { return };
-    let (mut part, mut farthest, mut turn) = (0, start.x, [start.x, start.at.time]);
+    let (mut part, mut farthest, mut meetings) = (0, start.x, vec![[start.x, 0.0]]);
     for index in 0..rows.len() {
         let row = rows[index];
         let onward = if row.leg == Leg::Approach { 1.0 } else { -1.0 };
@@ -157,12 +160,13 @@ pub(super) fn arrange(rows: &mut [DataRow], times: Option<&[f64]>) {
                 farthest = row.x;
                 // Where both legs end.
                 let is_before = turns && onward * (before.x - row.x) < 0.0;
-                turn = if is_before { [before.x, before.at.time] } else { [row.x, row.at.time] };
+                meetings.push(if is_before { [before.x, before.time] } else { [row.x, row.time] });
             }
         }
         farthest = if onward * (row.x - farthest) > 0.0 { row.x } else { farthest };
-        rows[index].at = Moment { part, time: row.at.time, turn };
+        rows[index].part = part;
     }
+    meetings
 }
 
 /// Where a record turns more than once, the leg of each row; `None` where it does not.
@@ -230,8 +234,8 @@ mod tests {
         let x = [record(&[-1.0, 1.0]), record(&[-1.0, 1.0])].concat();
         let legs = vec![Leg::Approach; x.len()];
         let mut rows = super::super::data::rows(&x, &x, Some(&legs)).unwrap();
-        arrange(&mut rows, None);
-        assert_eq!((rows[9].at.part, rows[10].at.part, rows[19].at.part), (0, 1, 1));
-        assert_eq!(rows[12].at.turn, [-1.0, 10.0 / 19.0]);
+        let turns = arrange(&mut rows, false);
+        assert_eq!((rows[9].part, rows[10].part, rows[19].part), (0, 1, 1));
+        assert_eq!(turns, [[-1.0, 0.0], [-1.0, 10.0 / 19.0]]);
     }
 }

@@ -43,8 +43,8 @@ impl Sheet {
     }
 
     /// The arc of a level.
-    pub(super) fn arc(&self, level: usize) -> Option<&Arc> {
-        level.checked_sub(1).and_then(|index| self.arcs.get(index))
+    pub(super) fn arc(&self, level: u32) -> Option<&Arc> {
+        arc(&self.arcs, level)
     }
 
     /// Whether the edge is pinned at a foot.
@@ -59,6 +59,11 @@ impl Sheet {
     }
 }
 
+/// The arc of a level; none of level 0, where there is no contact.
+pub(super) fn arc(arcs: &[Arc], level: u32) -> Option<&Arc> {
+    arcs.get(level.checked_sub(1)? as usize)
+}
+
 /// The radius at which an edge that advances is where the record turns.
 ///
 /// # Errors
@@ -66,11 +71,10 @@ impl Sheet {
 pub(super) fn pinned(
     advancing: &Contact<'_, f64>,
     arcs: &[Arc],
-    level: Option<usize>,
+    level: Option<u32>,
     turn: [f64; 2],
 ) -> Result<Option<Pin>> {
-    let of_level = level.and_then(|level| arcs.get(level.checked_sub(1)?));
-    let Some(arc) = of_level.or(arcs.last()) else { return Ok(None) };
+    let Some(arc) = level.and_then(|level| arc(arcs, level)).or(arcs.last()) else { return Ok(None) };
     let [lower, upper] = arc.ends();
     let is_at_end = !(turn[0] > lower.at[0]);
     let radius = match turn[0] {

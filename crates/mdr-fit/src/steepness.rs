@@ -23,7 +23,7 @@ const CURVE: f64 = 0.01;
 /// # Errors
 /// Errors of the transform.
 pub(super) fn add(fit: &mut Fit, objective: &Objective<'_>, minimum: &Minimum) -> Result<()> {
-    let own = objective.rows.iter().any(|row| row.sigma[1].is_some());
+    let own = objective.rows.iter().any(|row| row.sigma[1].get().is_some());
     let misses = fit.runs_test.is_some_and(|test| test.z < 0.0 && test.p < CURVE);
     if objective.x_scale.is_some() || own || misses || !matches!(fit.status, FitStatus::Fitted | FitStatus::PoorFit) {
         return Ok(());

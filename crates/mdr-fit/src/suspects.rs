@@ -1,5 +1,7 @@
 //! What a record may have that its problem has not: a slope or a drift, or signs that are reversed.
 
+use std::sync::Arc as Shared;
+
 use super::answer::{Fit, FitStatus};
 use super::budget;
 use super::drive;
@@ -94,11 +96,11 @@ pub(super) fn add_signs(fit: &mut Fit, problem: &Problem, misses: bool) {
 /// The problem with axes reversed; each leg has the direction of its x.
 fn reversed(problem: &Problem, [x, y]: [bool; 2]) -> Problem {
     let mut other = problem.alone();
-    for row in &mut other.rows {
-        (row.x, row.y) = (if x { -row.x } else { row.x }, if y { -row.y } else { row.y });
-        row.at.turn[0] = if x { -row.at.turn[0] } else { row.at.turn[0] };
-    }
-    for leg in other.rows.chunk_by_mut(|one, other| one.at.part == other.at.part) {
+    let signs = [x, y].map(|is_reversed| if is_reversed { -1.0 } else { 1.0 });
+    let rows = Shared::make_mut(&mut other.rows);
+    rows.iter_mut().for_each(|row| (row.x, row.y) = (signs[0] * row.x, signs[1] * row.y));
+    other.turns.iter_mut().for_each(|turn| turn[0] *= signs[0]);
+    for leg in rows.chunk_by_mut(|one, other| one.part == other.part) {
         let direction = if leg[leg.len() - 1].x > leg[0].x { Leg::Approach } else { Leg::Retract };
         leg.iter_mut().for_each(|row| row.leg = direction);
     }

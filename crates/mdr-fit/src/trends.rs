@@ -42,13 +42,13 @@ fn regression(problem: &Problem, kinds: &[Kind]) -> Option<Vec<f64>> {
     if far.len() < ROWS {
         return None;
     }
-    let longest = rows.iter().map(|row| row.at.time.abs()).fold(f64::MIN_POSITIVE, f64::max);
+    let longest = rows.iter().map(|row| row.time.abs()).fold(f64::MIN_POSITIVE, f64::max);
     // In units of the range of X and of the time of the record.
     let units: Vec<f64> = kinds.iter().map(|kind| if *kind == Kind::BaselineSlope { span } else { longest }).collect();
     let matrix = DMatrix::from_fn(far.len(), kinds.len() + 1, |row, column| match column.checked_sub(1) {
         None => 1.0,
         Some(index) if kinds[index] == Kind::BaselineSlope => (far[row].x - ends[0]) / span,
-        Some(_) => far[row].at.time / longest,
+        Some(_) => far[row].time / longest,
     });
     let forces = DVector::from_iterator(far.len(), far.iter().map(|row| row.y));
     let found = judge::least_squares(matrix, &forces, 1e-6)?;

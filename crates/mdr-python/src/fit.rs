@@ -85,8 +85,11 @@ pub(crate) fn fit(
     };
     let legs = legs.map(|legs| legs.iter().enumerate().map(leg).collect::<PyResult<Vec<Leg>>>()).transpose()?;
     let (x, y) = (x.as_slice()?.to_vec(), y.as_slice()?.to_vec());
-    let fitted = interruptible(py, |_| {
-        Problem::from_json_with_rows(problem, "", &at_hand(&files), [&x, &y], legs.as_deref())?.fit()
+    let fitted = interruptible(py, move |_| {
+        let problem = Problem::from_json_with_rows(problem, "", &at_hand(&files), [&x, &y], legs.as_deref())?;
+        // The problem has the rows of its own.
+        drop((x, y));
+        problem.fit()
     })?;
     let mut fit = fitted.map_err(of_library)?;
     let rows = std::mem::take(&mut fit.rows);

@@ -77,7 +77,7 @@ pub(super) fn rows(
         let y_scale = exact(scales.y)?;
         let ratio = y_scale.clone() / exact(scales.x.unwrap_or(scales.beyond))?;
         let weight = if alike { y_scale.lit(1) } else { y_scale.lit(1) / y_scale };
-        let (x, y, time) = (exact(row.x)?, exact(row.y)?, exact(row.at.time)?);
+        let (x, y, time) = (exact(row.x)?, exact(row.y)?, exact(row.time)?);
         rows.push(Row { x, y, time, sheet: evaluation.sheet_of(row), ratio, weight, foot });
     }
     Ok(rows)

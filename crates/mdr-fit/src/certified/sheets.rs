@@ -39,7 +39,7 @@ pub(super) fn pins(
         }
         let first = objective.rows.iter().find(|row| evaluation.sheet_of(row) == index).ok_or(OUT_OF_RANGE)?;
         let of = |value: f64| exact(precision, value).ok_or(OUT_OF_RANGE);
-        let [x, time] = first.at.turn;
+        let [x, time] = objective.problem.turns[first.part as usize];
         Ok(Some(Pinned { near: pin.radius, turn: [of(x)?, of(time)?] }))
     };
     evaluation.sheets.iter().enumerate().map(pinned).collect()

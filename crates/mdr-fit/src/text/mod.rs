@@ -12,7 +12,7 @@ use self::columns::Choice;
 use self::layout::{Layout, Lines, Separator};
 use crate::data::{self, Columns, MOST_ROWS};
 use crate::observation::Leg;
-use crate::problem::{DataRow, Moment};
+use crate::problem::{DataRow, OwnSigma};
 
 /// How the text of a curve was read.
 ///
@@ -163,7 +163,7 @@ pub(super) fn read(bytes: &[u8], columns: &Columns, bases: [&str; 2]) -> Result<
             return Err(format!("line {}: a standard deviation must be positive, got {sigma}", line.number));
         }
         let time = time.map_or(Ok(0.0), |place| cells.time(&row, place))? * second;
-        read.push(DataRow { x, y, leg: Leg::Retract, sigma, at: Moment { time, ..Moment::default() } });
+        read.push(DataRow { x, y, time, sigma: sigma.map(OwnSigma::from), part: 0, leg: Leg::Retract });
     }
     let by_order = data::legs_by_order(&read.iter().map(|row: &DataRow| row.x).collect::<Vec<_>>());
     for ((row, given), found) in read.iter_mut().zip(&legs).zip(by_order) {

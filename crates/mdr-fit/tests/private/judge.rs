@@ -77,13 +77,13 @@ fn no_matrix_holds_a_fit_for_ever() {
             let mut matrix = sound.clone();
             matrix[place] = entry;
             assert_eq!(least_squares(matrix.clone(), &right, 1e-12), None);
-            let spectrum = Spectrum::new(&matrix);
+            let spectrum = Spectrum::new(matrix.clone());
             assert_eq!(spectrum.nullity(), 3);
             assert_eq!(spectrum.undetermined(), [true; 3]);
         }
     }
     for scale in [f64::MIN_POSITIVE * f64::EPSILON, 1e-300, 1e150, 1e300, f64::MAX / 1e4] {
-        let spectrum = Spectrum::new(&(&sound * scale));
+        let spectrum = Spectrum::new(&sound * scale);
         assert!(spectrum.nullity() == 0 || spectrum.undetermined().contains(&true), "{scale}");
     }
 }
