@@ -14,17 +14,28 @@ const NULL: f64 = 1e-8;
 /// The most iterations of a decomposition: nalgebra sets no limit of its own, and some matrices never end there.
 const ITERATIONS: usize = 10_000;
 
-/// The singular values and vectors of a matrix, the right ones and if asked the left ones; `None` if an entry is not finite
-/// or the iteration does not end.
-fn decomposed(matrix: DMatrix<f64>, with_left: bool) -> Option<SVD<f64, Dyn, Dyn>> {
+/// The singular values and vectors of a matrix; `None` if an entry is not finite or the iteration does not end.
+fn decomposed(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
     let is_finite = matrix.iter().all(|entry| entry.is_finite());
-    is_finite.then(|| SVD::try_new(matrix, with_left, true, 5.0 * f64::EPSILON, ITERATIONS)).flatten()
+    is_finite.then(|| SVD::try_new(matrix, true, true, 5.0 * f64::EPSILON, ITERATIONS)).flatten()
+}
+
+/// The triangle R of a matrix QR, which has its singular values and its right singular vectors.
+fn triangle(matrix: DMatrix<f64>) -> DMatrix<f64> {
+    if matrix.nrows() > matrix.ncols() { matrix.qr().unpack_r() } else { matrix }
 }
 
 /// The least-squares solution of matrix · solution = right, without the directions whose singular values are at most `least`;
 /// `None` if the matrix has no decomposition.
 pub(super) fn least_squares(matrix: DMatrix<f64>, right: &DVector<f64>, least: f64) -> Option<DVector<f64>> {
-    decomposed(matrix, true)?.solve(right, least).ok()
+    if matrix.nrows() <= matrix.ncols() {
+        return decomposed(matrix)?.solve(right, least).ok();
+    }
+    let columns = matrix.ncols();
+    let decomposition = matrix.qr();
+    let mut turned = right.clone();
+    decomposition.q_tr_mul(&mut turned);
+    decomposed(decomposition.unpack_r())?.solve(&turned.rows(0, columns).into_owned(), least).ok()
 }
 
 /// The length of a vector, whose squares may leave the range of doubles.
@@ -53,11 +64,12 @@ impl Spectrum {
                 column /= *length;
             }
         }
-        let Some(rows) = decomposed(scaled.clone(), false).and_then(|found| found.v_t) else {
+        let triangle = triangle(scaled);
+        let Some(rows) = decomposed(triangle.clone()).and_then(|found| found.v_t) else {
             return Spectrum::of_nothing(lengths.len());
         };
         // Where a column depends on others, the vectors of nalgebra are right, its values in the fifth digit only.
-        let values: Vec<f64> = rows.row_iter().map(|vector| (&scaled * vector.transpose()).norm()).collect();
+        let values: Vec<f64> = rows.row_iter().map(|vector| (&triangle * vector.transpose()).norm()).collect();
         let mut order: Vec<usize> = (0..values.len()).collect();
         order.sort_by(|one, other| values[*other].total_cmp(&values[*one]));
         let vectors = DMatrix::from_fn(lengths.len(), order.len(), |row, column| rows[(order[column], row)]);

@@ -6,7 +6,7 @@ use super::arcs::{self, Arc, Turn};
 use super::contact::Contact;
 use super::foot::{self, Foot};
 use super::judge;
-use super::labels::cheapest;
+use super::labels::Cheapest;
 use super::objective::{Evaluation, Objective};
 use super::observation::{Leg, Observation};
 use super::problem::DataRow;
@@ -96,10 +96,11 @@ impl Objective<'_> {
         first: usize,
     ) -> Result<(Vec<u32>, Vec<Option<Foot>>)> {
         // Level 0 is detached, each other that of an arc.
-        let levels = arcs.len() + 1;
-        let mut costs = vec![f64::INFINITY; levels * leg.len()];
+        let mut costs = vec![f64::INFINITY; arcs.len() + 1];
+        let mut cheapest = Cheapest::new(costs.len(), leg.len(), leg.first().map_or(Leg::Retract, |row| row.leg));
         let mut found = vec![vec![None; leg.len()]; arcs.len().max(1)];
-        for ((index, row), costs) in leg.iter().enumerate().zip(costs.chunks_mut(levels)) {
+        for (index, row) in leg.iter().enumerate() {
+            costs.fill(f64::INFINITY);
             let scales = self.scales(row);
             let place = contact.numbers.untrended(row);
             let held = self.at_fold.iter().find(|held| held.row == first + index && held.beyond == 0.0);
@@ -109,6 +110,7 @@ impl Objective<'_> {
                 let foot = foot::at_fold(fold, place, scales.y);
                 costs[held.level as usize] = self.loss(foot.residual)[0].powi(2);
                 found[held.level as usize - 1][index] = Some(foot);
+                cheapest.follow(&costs);
                 continue;
             }
             if self.can_be(row, true) || arcs.is_empty() {
@@ -121,18 +123,19 @@ impl Objective<'_> {
                     feet[index] = Some(foot);
                 }
             }
+            cheapest.follow(&costs);
         }
-        let cheapest = cheapest(&costs, levels, leg.first().map_or(Leg::Retract, |row| row.leg));
+        let labels = cheapest.labels();
         // Those of the first arc make room for all.
         let mut feet = std::mem::take(&mut found[0]);
-        for (index, (foot, level)) in feet.iter_mut().zip(&cheapest).enumerate() {
+        for (index, (foot, level)) in feet.iter_mut().zip(&labels).enumerate() {
             match *level as usize {
                 0 => *foot = None,
                 1 => {}
                 level => *foot = found[level - 1][index],
             }
         }
-        Ok((cheapest, feet))
+        Ok((labels, feet))
     }
 }
 

@@ -3,31 +3,48 @@
 use super::observation::Leg;
 
 /// The label of each row of one leg: the level of least total cost, where level 0 is detached and the others are arcs from the
-/// inside out. Levels never fall on an approach and never rise on a retract.
-///
-/// `costs` are the squared residuals, `levels` of each row, infinite where a level is impossible. Time is rows × levels.
-pub(super) fn cheapest(costs: &[f64], levels: usize, leg: Leg) -> Vec<u32> {
-    let position = |rank: usize| if leg == Leg::Approach { rank } else { levels - 1 - rank };
-    // total[rank]: the least cost of the rows so far that end at this rank, which for a row has come from before[rank].
-    let mut total = vec![0.0; levels];
-    let mut from = vec![0_u32; costs.len()];
-    for (row, before) in costs.chunks(levels).zip(from.chunks_mut(levels)) {
+/// inside out. Levels never fall on an approach and never rise on a retract. Time is rows × levels.
+pub(super) struct Cheapest {
+    leg: Leg,
+    /// The least cost of the rows so far that end at each rank.
+    total: Vec<f64>,
+    /// The rank from which each rank of each row has come.
+    from: Vec<u32>,
+}
+
+impl Cheapest {
+    pub(super) fn new(levels: usize, rows: usize, leg: Leg) -> Self {
+        Cheapest { leg, total: vec![0.0; levels], from: Vec::with_capacity(levels * rows) }
+    }
+
+    /// The next row, with its squared residual at each level, infinite where a level is impossible.
+    pub(super) fn follow(&mut self, costs: &[f64]) {
         let (mut best, mut least) = (0, f64::INFINITY);
-        for rank in 0..levels {
-            if total[rank] < least {
-                (best, least) = (rank, total[rank]);
+        for rank in 0..self.total.len() {
+            if self.total[rank] < least {
+                (best, least) = (rank, self.total[rank]);
             }
-            before[rank] = best as u32;
-            total[rank] = least + row[position(rank)];
+            self.from.push(best as u32);
+            self.total[rank] = least + costs[self.level(rank)];
         }
     }
-    let mut rank = (0..levels).fold(0, |best, rank| if total[rank] < total[best] { rank } else { best });
-    let mut labels = vec![0_u32; costs.len() / levels];
-    for (label, before) in labels.iter_mut().zip(from.chunks(levels)).rev() {
-        *label = position(rank) as u32;
-        rank = before[rank] as usize;
+
+    /// The level of a rank: ranks are the levels in the order in which a leg passes them.
+    fn level(&self, rank: usize) -> usize {
+        if self.leg == Leg::Approach { rank } else { self.total.len() - 1 - rank }
     }
-    labels
+
+    /// The labels of all rows.
+    pub(super) fn labels(self) -> Vec<u32> {
+        let levels = self.total.len();
+        let mut rank = (0..levels).fold(0, |best, rank| if self.total[rank] < self.total[best] { rank } else { best });
+        let mut labels = vec![0; self.from.len() / levels];
+        for (label, before) in labels.iter_mut().zip(self.from.chunks(levels)).rev() {
+            *label = self.level(rank) as u32;
+            rank = before[rank] as usize;
+        }
+        labels
+    }
 }
 
 #[cfg(test)]
@@ -37,9 +54,14 @@ mod tests {
     #[test]
     fn a_leg_never_returns_and_costs_least() {
         // Two levels: the third row is a little nearer to the arc, but a way back is impossible.
-        let costs = [[9.0, 0.0], [4.0, 0.5], [0.0, 4.0], [1.0, 0.9], [0.0, 9.0]].as_flattened().to_vec();
-        assert_eq!(cheapest(&costs, 2, Leg::Retract), [1, 1, 0, 0, 0]);
+        let costs = [[9.0, 0.0], [4.0, 0.5], [0.0, 4.0], [1.0, 0.9], [0.0, 9.0]];
+        let labels = |leg: Leg| {
+            let mut cheapest = Cheapest::new(2, costs.len(), leg);
+            costs.iter().for_each(|costs| cheapest.follow(costs));
+            cheapest.labels()
+        };
+        assert_eq!(labels(Leg::Retract), [1, 1, 0, 0, 0]);
         // The other way there is no better than one label for all.
-        assert_eq!(cheapest(&costs, 2, Leg::Approach), [0, 0, 0, 0, 0]);
+        assert_eq!(labels(Leg::Approach), [0, 0, 0, 0, 0]);
     }
 }

@@ -6,10 +6,11 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import cached_property
 from typing import Any, Literal, TypeAlias, final, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._afmformats import from_afmformats
@@ -54,11 +55,26 @@ class CertifiedEstimate:
 
 
 @dataclass(frozen=True, slots=True)
+class _Rows:
+    """The rows of a fit as columns."""
+
+    x: Floats
+    y: Floats
+    fitted: Floats
+    residuals: Floats
+    contact_radius: Floats
+    labels: NDArray[np.int64]
+    leg: tuple[str, ...]
+    pinned: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
 class _Kept:
     """What is left of a fit that was pickled."""
 
     text: str
     picture: str
+    rows: _Rows
 
     def json(self) -> str:
         return self.text
@@ -77,7 +93,6 @@ class Fit:
     def __init__(self, fitted: _core.Fitted) -> None:
         self._fitted: _core.Fitted | _Kept = fitted
         answer: dict[str, Any] = json.loads(fitted.head())
-        (x, y, curve, residuals, radii), labels, (retracts, pinned) = fitted.columns()
         self._answer = answer
         self.status: Literal["fitted", "poor-fit", "unidentifiable", "not-converged"] = answer["status"]
         """How it ended. Where it is ``"unidentifiable"``, :attr:`invariants` are what the data determine."""
@@ -95,22 +110,6 @@ class Fit:
         """Of the estimates, in their order; of shape (0, 0) unless all are determined."""
         self.correlation: Floats = _matrix(answer["correlation"])
         """Of the estimates, likewise."""
-        self.residuals: Floats = residuals
-        """Curve minus datum of each row, in units of sigma."""
-        self.x: Floats = x
-        """X of each row that counts, in SI units."""
-        self.y: Floats = y
-        """Y of each row, likewise."""
-        self.fitted: Floats = curve
-        """Y of the curve where it is compared with each row: at its X where x is exact, else at the nearest point."""
-        self.leg: tuple[str, ...] = tuple(_LEGS[each] for each in retracts.tolist())
-        """``"approach"`` or ``"retract"`` of each row."""
-        self.pinned = pinned
-        """Whether the edge of the contact is pinned between two works of adhesion."""
-        self.labels = labels
-        """The arc of each row, 0 the outermost; −1 detached."""
-        self.contact_radius: Floats = radii
-        """The contact radius of each row in m; NaN where the surfaces are apart."""
         self.invariants: list[dict[str, Any]] = answer["invariants"]
         """Products of powers that the data determine although they do not determine their factors."""
         self.rss: float = answer["rss"]
@@ -157,6 +156,55 @@ class Fit:
             for each in proved["parameters"]
         )
         """The estimates where ``digits`` asks for them; empty where they cannot be proved, and a warning says why."""
+
+    @cached_property
+    def _of_rows(self) -> _Rows:
+        # Of a long record they take room, and are made when one of them is asked for.
+        if isinstance(self._fitted, _Kept):
+            return self._fitted.rows
+        (x, y, fitted, residuals, radii), labels, (retracts, pinned) = self._fitted.columns()
+        leg = tuple(_LEGS[each] for each in retracts.tolist())
+        return _Rows(x, y, fitted, residuals, radii, labels, leg, pinned)
+
+    @property
+    def residuals(self) -> Floats:
+        """Curve minus datum of each row, in units of sigma."""
+        return self._of_rows.residuals
+
+    @property
+    def x(self) -> Floats:
+        """X of each row that counts, in SI units."""
+        return self._of_rows.x
+
+    @property
+    def y(self) -> Floats:
+        """Y of each row, likewise."""
+        return self._of_rows.y
+
+    @property
+    def fitted(self) -> Floats:
+        """Y of the curve where it is compared with each row: at its X where x is exact, else at the nearest point."""
+        return self._of_rows.fitted
+
+    @property
+    def leg(self) -> tuple[str, ...]:
+        """``"approach"`` or ``"retract"`` of each row."""
+        return self._of_rows.leg
+
+    @property
+    def pinned(self) -> NDArray[np.bool_]:
+        """Whether the edge of the contact is pinned between two works of adhesion."""
+        return self._of_rows.pinned
+
+    @property
+    def labels(self) -> NDArray[np.int64]:
+        """The arc of each row, 0 the outermost; −1 detached."""
+        return self._of_rows.labels
+
+    @property
+    def contact_radius(self) -> Floats:
+        """The contact radius of each row in m; NaN where the surfaces are apart."""
+        return self._of_rows.contact_radius
 
     def __getitem__(self, name: str) -> Estimate:
         for each in self.estimates:
@@ -224,7 +272,7 @@ class Fit:
         return self._fitted.json()
 
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_fitted": _Kept(self._fitted.json(), self._fitted.svg())}
+        return self.__dict__ | {"_fitted": _Kept(self._fitted.json(), self._fitted.svg(), self._of_rows)}
 
     def _rows(self) -> list[tuple[str, ...]]:
         rows = []
