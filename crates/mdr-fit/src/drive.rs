@@ -63,8 +63,8 @@ pub(super) fn fit(problem: &Problem) -> Result<Fit> {
     Ok(fit)
 }
 
-/// The fit with the tip as it is given, from starts of these sources.
-pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Outcome> {
+/// The objective of a problem, and the scatter of its rows.
+fn begun(problem: &Problem) -> Result<(Objective<'_>, Scatter)> {
     check(problem)?;
     let scatter = Scatter::of(problem);
     scatter.check(problem)?;
@@ -72,7 +72,33 @@ pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Outcome>
     // What is far below the rounding of x is none.
     let stated = problem.sigma[0].map(|sigma| scatter.noise.scaled(sigma));
     let x_scale = stated.filter(|sigma| *sigma > f64::EPSILON * scatter.span).or(own);
-    let mut objective = Objective::new(problem, x_scale, scatter.noise)?;
+    Ok((Objective::new(problem, x_scale, scatter.noise)?, scatter))
+}
+
+/// The estimates alone, those that the data determine, and the sum of squares, from starts of these sources.
+pub(super) fn estimates(problem: &Problem, sources: &[Source]) -> Result<(Vec<Option<f64>>, f64)> {
+    let (mut objective, scatter) = begun(problem)?;
+    let minimum = descents::least(&mut objective, sources, scatter.stated)?.minimum;
+    let resolved = Resolved::at(&minimum, &objective, &scatter)?;
+    let is_determined = resolved.spectrum.nullity() == 0;
+    let status = if is_determined { FitStatus::Fitted } else { FitStatus::Unidentifiable };
+    let estimates = resolved.errors(&objective, &minimum).estimates(status);
+    Ok((estimates.into_iter().map(|estimate| estimate.value).collect(), rss(&objective, &minimum)))
+}
+
+/// The sum of squares as it is told: in the unit of Y if all rows count alike, else in units of σ.
+fn rss(objective: &Objective<'_>, minimum: &Minimum) -> f64 {
+    let cost = minimum.evaluation.cost();
+    if objective.counts_alike() {
+        cost * objective.noise.y_scale.powi(2)
+    } else {
+        (cost.sqrt() / objective.noise.unit).powi(2)
+    }
+}
+
+/// The fit with the tip as it is given, from starts of these sources.
+pub(super) fn fit_from(problem: &Problem, sources: &[Source]) -> Result<Outcome> {
+    let (mut objective, scatter) = begun(problem)?;
     let Found { mut minimum, mut tried } = descents::least(&mut objective, sources, scatter.stated)?;
     if minimum.evaluation.labels.iter().all(|label| *label == 0) {
         return Err(problem.place.refuse(out_of_contact(problem)));
@@ -252,7 +278,7 @@ fn answer(objective: &Objective<'_>, scatter: &Scatter, minimum: &Minimum, tried
         covariance,
         invariants,
         singular_values: spectrum.values.clone(),
-        rss: if alike { cost * objective.noise.y_scale.powi(2) } else { in_sigma },
+        rss: rss(objective, minimum),
         rss_unit: if alike { unit } else { "1" },
         dof,
         chi2: chi2.filter(|chi2| chi2.is_finite()),

@@ -28,7 +28,7 @@ impl Objective<'_> {
             let sheet =
                 Sheet { numbers: numbers.of_edge(*direction), direction: *direction, pin: None, arcs: Vec::new() };
             let contact = sheet.contact(&evaluation.tip, observation);
-            let turns = sheet::turns(&contact, before.and_then(|before| before.get(index)).map(Vec::as_slice))?;
+            let turns = self.turns(&contact, before.and_then(|before| before.get(index)).map(Vec::as_slice))?;
             if index == 0 {
                 let arcs = arcs::arcs(&contact, &turns, range)?;
                 evaluation.sheets.push(Sheet { arcs, ..sheet });

@@ -1,5 +1,6 @@
 //! The residuals of a problem and their derivatives, at given numbers.
 
+use std::cell::RefCell;
 use std::sync::Arc as Shared;
 
 use mdr_core::contact::Result;
@@ -29,7 +30,12 @@ pub(super) struct Objective<'p> {
     pub(super) at_fold: Vec<AtFold>,
     /// The profile, where all its numbers are known.
     tip: Option<Shared<Tip<f64>>>,
+    /// The folds that were searched for last with this profile, with E*, work of adhesion and stiffness.
+    searched: RefCell<Vec<([f64; 3], Vec<Turn>)>>,
 }
+
+/// How many searches for folds are kept: descents come back to where others began and ended.
+const SEARCHES: usize = 8;
 
 /// The scatter of the data. The objective counts in a unit in which σ_Y is the scatter that the data show, so that a common
 /// factor of all stated standard deviations moves no estimate, and none is too small or too large for a double.
@@ -152,6 +158,7 @@ impl<'p> Objective<'p> {
             rows: Shared::clone(&problem.rows),
             at_fold: Vec::new(),
             tip: None,
+            searched: RefCell::default(),
         };
         if objective.free_of_profile().is_empty() {
             let numbers: Vec<f64> = {
@@ -292,6 +299,29 @@ impl<'p> Objective<'p> {
         }
         evaluation.residuals = DVector::from_vec(residuals);
         Ok(evaluation)
+    }
+
+    /// The folds of a contact: followed from these where that is possible, else searched, once for the same numbers.
+    ///
+    /// # Errors
+    /// Errors of the transform.
+    pub(super) fn turns(&self, contact: &Contact<'_, f64>, before: Option<&[Turn]>) -> Result<Vec<Turn>> {
+        if let Some(turns) = before.and_then(|before| arcs::followed(contact, before)) {
+            return Ok(turns);
+        }
+        if self.tip.is_none() {
+            return arcs::turns(contact);
+        }
+        let numbers = &contact.numbers;
+        let key = [numbers.e_star, numbers.work, numbers.stiffness.unwrap_or(0.0)];
+        let mut searched = self.searched.borrow_mut();
+        if let Some((_, turns)) = searched.iter().find(|(other, _)| *other == key) {
+            return Ok(turns.clone());
+        }
+        let turns = arcs::turns(contact)?;
+        searched.truncate(SEARCHES - 1);
+        searched.insert(0, (key, turns.clone()));
+        Ok(turns)
     }
 
     /// How many residuals there are: of the rows, of priors, of the pull-off, and of folds that are held.

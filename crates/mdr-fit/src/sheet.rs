@@ -5,7 +5,7 @@
 
 use mdr_core::contact::{Edge, Result};
 
-use super::arcs::{self, Arc, Turn};
+use super::arcs::{self, Arc};
 use super::contact::{Contact, Numbers, Tip};
 use super::foot::Foot;
 use super::observation::Observation;
@@ -103,15 +103,4 @@ pub(super) fn speeds(advancing: &Contact<'_, f64>, pin: &Pin, kinds: &[Kind]) ->
         Ok((*kind, speed))
     };
     kinds.iter().map(speed).collect()
-}
-
-/// The folds of a contact without a pinned edge: followed from these where that is possible.
-///
-/// # Errors
-/// Errors of the transform.
-pub(super) fn turns(contact: &Contact<'_, f64>, before: Option<&[Turn]>) -> Result<Vec<Turn>> {
-    match before.and_then(|before| arcs::followed(contact, before)) {
-        Some(turns) => Ok(turns),
-        None => arcs::turns(contact),
-    }
 }

@@ -47,7 +47,6 @@ pub(super) fn add(fit: &mut Fit, problem: &Problem) {
 fn with(fit: &Fit, problem: &Problem, length: Option<f64>) -> Option<SmoothedFit> {
     let smoothed = |table: &Measured| table.smoothed(length);
     let other = Problem { profile: problem.profile.with_tables(&smoothed)?, ..limits::started(problem, fit) };
-    let found = drive::fit_from(&other, &[Source::Given]).ok()?.fit;
-    let estimates = found.parameters.iter().map(|estimate| estimate.value).collect();
-    Some(SmoothedFit { length, estimates, rss: found.rss })
+    let (estimates, rss) = drive::estimates(&other, &[Source::Given]).ok()?;
+    Some(SmoothedFit { length, estimates, rss })
 }
