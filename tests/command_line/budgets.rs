@@ -93,6 +93,19 @@ fn ordinary_scenes_keep_their_answers() {
     }
 }
 
+/// A force curve that is too much to prove within the budget is that of f64, and says so.
+#[test]
+fn a_curve_that_is_not_proved_in_time_is_searched() {
+    let rest = "medium = { kind = \"graded\", exponent = \"0.3\", coefficient = \"1\" }
+        control = { kind = \"indentation\", path = [\"0.1\", \"-1\"] }
+        output = { want = [\"force-curve\"], points = 20 }";
+    let scene = scene("1", "1e-4", "kind = \"sphere\", radius = 1", rest);
+    let answer = solved(&scene, "--budget 0.2");
+    assert_eq!(answer["promise"]["force-curve"], "f64", "{answer}");
+    assert_eq!(answer["force-curve-summary"]["status"], "ok", "{answer}");
+    assert!(answer["force-curve"].as_array().is_some_and(|samples| samples.len() > 15), "{answer}");
+}
+
 /// Where the radii underflow at the start, the path has its events and the curve says what it lacks.
 #[test]
 fn a_curve_whose_radii_underflow_is_undecided() {

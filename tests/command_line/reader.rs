@@ -56,7 +56,7 @@ fn a_file_an_output() {
     let lines: Vec<_> = list.lines().map(|line| line.rsplit('/').next().unwrap()).collect();
     let [curve_file, summary, folds_file] = lines[..] else { panic!("{list}") };
     assert_eq!((curve_file, folds_file), ("force-curve.csv", "folds.csv"));
-    assert!(summary.starts_with("Summary: pull-off force -4.705231695326158 nN, "), "{summary}");
+    assert!(summary.starts_with("Summary: pull-off force -4.7052316953261593825 nN, "), "{summary}");
     let mut folds = csv::ReaderBuilder::new().comment(Some(b'#')).from_path(folder.join("folds.csv")).unwrap();
     let header: Vec<_> = folds.headers().unwrap().iter().map(str::to_owned).collect();
     let inputs =

@@ -32,6 +32,15 @@ pub trait EquilibriumBranches<R: Real> {
     /// Errors of the transform; [`Error::Undecided`] if the arithmetic does not decide.
     fn on_branch(&self, branch: usize, value: &R) -> Result<Option<Equilibrium<R>>>;
 
+    /// The equilibrium as [`on_branch`](EquilibriumBranches::on_branch) finds it, looked for first between two radii of the branch or beside
+    /// them, where it is expected.
+    ///
+    /// # Errors
+    /// Those of [`on_branch`](EquilibriumBranches::on_branch).
+    fn on_branch_near(&self, branch: usize, value: &R, _near: [&R; 2]) -> Result<Option<Equilibrium<R>>> {
+        self.on_branch(branch, value)
+    }
+
     /// The order of `value` and the value of the fold; equal if this arithmetic does not distinguish them.
     ///
     /// # Errors

@@ -14,6 +14,9 @@ use super::{Continuation, EnclosedCurve, ProvedFolds, kinks};
 use crate::admissible::{self, Admissibility, Basis, GapVerdict, Ring, Touch};
 use crate::branch::{self, EquilibriumBranches, FirstContact};
 
+/// Radii that are looked at beside those where a state is expected.
+const STEPS_BESIDE: usize = 6;
+
 /// Where admissibility is lost, before it is proved, relative to the contact radius.
 const ROUGHLY: f64 = 1e-3;
 
@@ -119,14 +122,10 @@ impl ProvedBranches {
         Ok(End { enclosure, radius, excess })
     }
 
-    /// The end on a flat that just touches without adhesion, where the direction is exactly 0: the sign beside the fold at its end.
+    /// The end on a flat that just touches, where the direction is exactly 0 and folds are where g' = 0: the sign beside the fold at its end.
     fn at_flat(&self, end: End) -> End {
         let zero = end.excess.lit(0);
-        if end.excess == zero && self.curve.plain.adhesion().vanishes() {
-            End { excess: zero.lit(1), ..end }
-        } else {
-            end
-        }
+        if end.excess == zero && self.curve.folds_where_level() { End { excess: zero.lit(1), ..end } } else { end }
     }
 
     /// The sign at a radius that is not a fold.
@@ -228,6 +227,42 @@ impl ProvedBranches {
                 return Ok(radius);
             }
         }
+    }
+
+    /// The equilibrium of a branch beside two radii, if the direction of change has opposite signs at two radii near them.
+    fn beside(&self, branch: usize, value: &Interval, near: [&Interval; 2]) -> Result<Option<Equilibrium<Interval>>> {
+        let below = branch.checked_sub(1).map_or(&self.range.0, |index| self.folds[index].contact_radius.upper());
+        let above = match (self.folds.get(branch), &self.edge) {
+            (Some(fold), _) => fold.contact_radius.lower(),
+            (None, Some(edge)) => edge.radius.lower(),
+            (None, None) => &self.range.1,
+        };
+        let is_inside = |radius: &Interval| radius.lower() > below && radius.upper() < above;
+        let [mut last, other] = near.map(|radius| self.curve.promoted(&radius.midpoint()));
+        let mut step = last.clone() - &other;
+        let mut ends: Option<End> = None;
+        for _ in 0..STEPS_BESIDE {
+            if !is_inside(&last) {
+                return Ok(None);
+            }
+            let next = self.at_radius(last.clone(), value)?;
+            let Some(sign) = next.excess.partial_cmp(&value.lit(0)).filter(|sign| sign.is_ne()) else {
+                return Ok(None);
+            };
+            match ends {
+                Some(first) if (first.excess < value.lit(0)) != sign.is_lt() => {
+                    let ends = if first.radius < next.radius { [first, next] } else { [next, first] };
+                    return self.between(ends, value).map(Some);
+                }
+                // The contact grows towards a stable state: the first steps tell which way to go on.
+                Some(_) => step = step.times(4),
+                None if sign.is_lt() != (step > value.lit(0)) => step = -step,
+                None => {}
+            }
+            last = (next.radius.clone() + &step).midpoint();
+            ends = Some(next);
+        }
+        Ok(None)
     }
 
     /// The last end visited from a given one, and the next if its direction of change is opposite.
@@ -352,6 +387,19 @@ impl EquilibriumBranches<Interval> for ProvedBranches {
         match branch::end(&self.curve.plain)? {
             branch::End::Unknown => Err(branch::beyond_reach(self.control(), self.curve.plain.modulus())),
             end => Ok(end),
+        }
+    }
+
+    fn on_branch_near(
+        &self,
+        branch: usize,
+        value: &Interval,
+        near: [&Interval; 2],
+    ) -> Result<Option<Equilibrium<Interval>>> {
+        match self.beside(branch, value, near) {
+            Ok(Some(rest)) => Ok(Some(rest)),
+            Ok(None) | Err(Error::Undecided { .. }) => self.on_branch(branch, value),
+            Err(error) => Err(error),
         }
     }
 

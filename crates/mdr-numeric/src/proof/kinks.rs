@@ -109,10 +109,10 @@ impl EnclosedCurve {
         Ok(Some(Known { kink, signs }))
     }
 
-    /// Without adhesion contact is held beyond the end of a flat wherever g does not fall, also where g' begins with 0.
+    /// Where folds are at g' = 0, contact is held beyond the end of a flat wherever g does not fall, also where g' begins with 0.
     fn rises_beyond_flat(&self, kink: &Kink<Interval>) -> Option<Ordering> {
         let flat = kink.inside.greatest.as_ref().is_some_and(|greatest| *greatest == greatest.lit(0));
-        let rises = flat && self.plain.adhesion().vanishes() && self.plain.transform().rises();
+        let rises = flat && self.folds_where_level() && self.plain.transform().rises();
         rises.then_some(Ordering::Greater)
     }
 

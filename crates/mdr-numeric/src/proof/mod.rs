@@ -203,9 +203,16 @@ impl EnclosedCurve {
         }
     }
 
-    /// The tangency ratio, but −1 where g' = 0 on all of a cell and there is no adhesion: on a flat surfaces touch without holding.
+    /// The tangency ratio, but −1 where g' = 0 on all of a cell and folds are where g' = 0: a flat is neutral there, and surfaces touch without
+    /// holding.
     fn holding(&self, ratio: Interval) -> Interval {
-        if ratio == ratio.lit(0) && self.plain.adhesion().vanishes() { ratio.lit(-1) } else { ratio }
+        if ratio == ratio.lit(0) && self.folds_where_level() { ratio.lit(-1) } else { ratio }
+    }
+
+    /// Whether folds are where g' = 0: at an edge without adhesion, and on a Winkler foundation at fixed grips, where Δl is constant.
+    fn folds_where_level(&self) -> bool {
+        let like = self.plain.modulus();
+        self.plain.critical_ratio_at(&like.lit(1)) == like.lit(0)
     }
 
     fn slope(&self, a: &Interval) -> Result<Interval> {

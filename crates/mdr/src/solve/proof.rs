@@ -13,6 +13,7 @@ use super::model::{Model, SceneReal};
 use super::sample;
 use super::weight::weight;
 use crate::answer::{Completeness, Number, Value};
+use crate::scene::Scene;
 
 /// Bits in which folds are isolated; they are sharpened afterwards.
 const ISOLATION: u32 = 64;
@@ -36,6 +37,12 @@ impl Enclosed {
 
     pub(crate) fn curve(&self) -> EnclosedCurve {
         EnclosedCurve::new(self.value.contact(), self.dual.contact())
+    }
+
+    /// The curve under a controlled force, whose folds are those of F.
+    pub(crate) fn curve_of_force(&self) -> EnclosedCurve {
+        let (value, dual) = (self.value.contact(), self.dual.contact());
+        EnclosedCurve::new(value.with_control(Control::Force), dual.with_control(Control::Force))
     }
 }
 
@@ -63,8 +70,7 @@ impl FoldProof {
         let is_given = certified.scene.range.is_some();
         let size = |end| if is_given { enclosed.value.size(end) } else { Ok(Interval::from_literal(precision, end)) };
         let [lower, upper] = [size(&range[0])?, size(&range[1])?];
-        let budget = if certified.scene.is_closed() { BUDGET } else { BUDGET_OF_ROWS };
-        let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget)?;
+        let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget_of_folds(certified.scene))?;
         let [from, to] = range;
         let to = match enclosed.value.contact().vertical_edge() {
             Some(outer_edge) if *outer_edge.lower() < *upper.upper() => Number::F64(outer_edge.approx()).to_string(),
@@ -86,6 +92,11 @@ impl FoldProof {
         };
         Ok(FoldProof { proved, complete })
     }
+}
+
+/// The evaluations that the isolation of folds may spend between two kinks.
+pub(crate) fn budget_of_folds(scene: &Scene) -> usize {
+    if scene.is_closed() { BUDGET } else { BUDGET_OF_ROWS }
 }
 
 /// The range that the scene names, else one with all folds that were found in f64.

@@ -1,25 +1,29 @@
-//! The output `force-curve`: the loading path as a measurement shows it, sampled in f64, with a break at every jump.
+//! The output `force-curve`: the loading path as a measurement shows it, with a break at every jump.
 
+#[cfg(feature = "mp")]
+mod proof;
 mod samples;
 mod summary;
 
-#[cfg(feature = "mp")]
-use mdr_core::contact::Edge;
 use mdr_core::contact::Result;
+#[cfg(feature = "mp")]
+use mdr_core::contact::{Edge, Error};
+use mdr_numeric::equilibrium::SearchedBranches;
 
-use self::samples::Course;
+use self::samples::{Branches, Course, Place};
 use super::key::Key;
+#[cfg(feature = "mp")]
+use super::path;
 use super::path::edges;
 use super::room::{Content, Facts, Open, Request, Room as IsRoom, Subject, Table, not_wanted};
 use super::{Output, Want};
-#[cfg(feature = "mp")]
-use crate::answer::Number;
 use crate::answer::record::{Numbers, Row, record};
-use crate::answer::{List, NumberStyle, Optional, Promise, Value};
+use crate::answer::{Column, List, Number, NumberStyle, Optional, Promise, Value};
 use crate::scene::MOST_ROWS;
-use crate::solve::search::Search;
 #[cfg(feature = "mp")]
-use crate::solve::{certified::Certified, states::States};
+use crate::solve::certified::Certified;
+use crate::solve::search::Search;
+use crate::solve::states::States;
 
 /// The samples of a force curve when their number is not given.
 pub const POINTS: u32 = 400;
@@ -82,6 +86,40 @@ pub struct ForceCurve {
     pub samples: List<ForceSample>,
     /// Pull-off force, jump-in, minimum force and hysteresis.
     pub summary: CurveSummary,
+    /// How far the hysteresis can be trusted, where that is less than the rest.
+    pub energy: Option<Promise>,
+}
+
+/// The samples and the summary of a force curve, in one arithmetic.
+#[derive(Clone)]
+struct CurveNumbers<N> {
+    samples: Vec<ForceSample<N>>,
+    summary: CurveSummary<N>,
+}
+
+impl<N> Numbers<N> for CurveNumbers<N> {
+    type With<M> = CurveNumbers<M>;
+
+    fn map_values<M>(self, f: &mut dyn FnMut(Value<N>) -> Value<M>) -> CurveNumbers<M> {
+        CurveNumbers { samples: self.samples.map_values(f), summary: self.summary.map_values(f) }
+    }
+
+    fn rows(&self) -> Vec<Row<'_, N>> {
+        let mut rows = self.samples.rows();
+        rows.extend(self.summary.rows());
+        rows
+    }
+
+    fn columns() -> Vec<Column> {
+        <ForceSample<N> as Numbers<N>>::columns()
+    }
+}
+
+impl ForceCurve {
+    fn new(promise: Promise, numbers: CurveNumbers<Number>) -> Self {
+        let CurveNumbers { samples, summary } = numbers;
+        ForceCurve { samples: List::new(promise, samples), summary, energy: None }
+    }
 }
 
 impl Content for ForceCurve {
@@ -93,13 +131,20 @@ impl Content for ForceCurve {
         vec![("force-curve-summary", self.summary.rows())]
     }
 
+    fn exceptions(&self) -> Vec<(&'static str, Promise)> {
+        self.energy.map(|promise| ("force-curve-summary.hysteresis", promise)).into_iter().collect()
+    }
+
     fn sentences(&self, style: &NumberStyle) -> Vec<String> {
         vec![self.summary.sentence(style)]
     }
 
-    /// It is in f64, whatever is asked for.
     #[cfg(feature = "mp")]
-    fn resolve(&mut self, _: Promise, _: fn(Number) -> Value) {}
+    fn resolve(&mut self, promise: Promise, f: fn(Number) -> Value) {
+        self.samples.resolve(promise, f);
+        self.summary = self.summary.clone().resolve(f);
+        self.energy = None;
+    }
 }
 
 pub(super) const FACTS: Facts = Facts {
@@ -121,35 +166,70 @@ impl<'w> Request<'w> for Room<'w> {
 
 impl<'w> IsRoom<'w> for Room<'w> {
     #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        if certified.scene.has_two_works() {
-            return between_edges(certified, self.rows());
+    fn visited(&self, search: &Search<'_>) -> Vec<f64> {
+        path::visited(search)
+    }
+
+    /// Proved where the path is; its hysteresis where the energies of the path are.
+    #[cfg(feature = "mp")]
+    fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
+        let in_doubles = || in_doubles(certified, self.rows());
+        if certified.scene.is_closed() && certified.scene.medium.is_half_space() {
+            return Ok(proof::proved(certified, self.rows(), in_doubles)?.map(Output::from));
         }
-        let (model, folds) = certified.in_doubles()?;
-        let states = States::new(certified.scene, &model, folds, certified.admissibility()?);
-        Ok(Output::ForceCurve(Box::new(samples::sampled(Course::One(&states), self.rows())?)))
+        // Integrals, and sums over rows, may take all of the budget: what f64 knows comes first.
+        let known = in_doubles();
+        let curve = match proof::proved(certified, self.rows(), || known.clone()) {
+            Err(Error::BudgetSpent { .. } | Error::NoConvergence { .. }) => None,
+            curve => curve?,
+        };
+        curve.map_or(known, Ok).map(|curve| Some(curve.into()))
+    }
+
+    /// In f64, where it is not proved.
+    #[cfg(feature = "mp")]
+    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
+        in_doubles(certified, self.rows()).map(Output::from)
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let curve = if search.scene.has_two_works() {
-            edges::with_both(search, |states, _| samples::sampled(Course::Between(states), self.rows()))?
+            edges::with_both(search, |states, _| of_both(states, self.rows()))?
         } else {
-            samples::sampled(Course::One(&search.states()?), self.rows())?
+            let states = search.states()?;
+            of_states(&states, Branches::One(&states.branches), self.rows())?
         };
-        Ok(Output::ForceCurve(Box::new(curve)))
+        Ok(curve.into())
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {
         let [pull_off_force, jump_in_force, minimum_force, hysteresis] = [(); 4].map(|()| Some(open.value()));
         let summary = CurveSummary { pull_off_force, jump_in_force, minimum_force, hysteresis };
         let samples = List::new(Promise::F64, Vec::new()).complete(open.completeness());
-        Output::ForceCurve(Box::new(ForceCurve { samples, summary }))
+        ForceCurve { samples, summary, energy: None }.into()
     }
+}
+
+impl From<ForceCurve> for Output {
+    fn from(curve: ForceCurve) -> Self {
+        Output::ForceCurve(Box::new(curve))
+    }
+}
+
+/// The force curve of a scene in f64.
+#[cfg(feature = "mp")]
+fn in_doubles(certified: &Certified<'_>, points: usize) -> Result<ForceCurve> {
+    if certified.scene.has_two_works() {
+        return between_edges(certified, points);
+    }
+    let (model, folds) = certified.in_doubles()?;
+    let states = States::new(certified.scene, &model, folds, certified.admissibility()?);
+    of_states(&states, Branches::One(&states.branches), points)
 }
 
 /// The force curve between the branches of an advancing and of a receding edge, in f64.
 #[cfg(feature = "mp")]
-fn between_edges(certified: &Certified<'_>, points: usize) -> Result<Output> {
+fn between_edges(certified: &Certified<'_>, points: usize) -> Result<ForceCurve> {
     let scenes = [Edge::Advancing, Edge::Receding].map(|edge| certified.scene.at(edge));
     let parts = scenes.each_ref().map(|scene| Certified::new(scene, certified.digits, certified.counts));
     let [(one, folds), (other, others)] = [parts[0].in_doubles()?, parts[1].in_doubles()?];
@@ -157,6 +237,33 @@ fn between_edges(certified: &Certified<'_>, points: usize) -> Result<Output> {
         States::new(&scenes[0], &one, folds, parts[0].admissibility()?),
         States::new(&scenes[1], &other, others, parts[1].admissibility()?),
     ];
-    let curve = samples::sampled(Course::Between([&states[0], &states[1]]), points)?;
-    Ok(Output::ForceCurve(Box::new(curve)))
+    of_both([&states[0], &states[1]], points)
+}
+
+/// The force curve between the states of an advancing and of a receding edge, in f64.
+fn of_both([advancing, receding]: [&States<'_, f64>; 2], points: usize) -> Result<ForceCurve> {
+    of_states(receding, Branches::Between([&advancing.branches, &receding.branches]), points)
+}
+
+/// The force curve on branches in f64; the states are those of an edge that recedes.
+fn of_states(
+    states: &States<'_, f64>,
+    branches: Branches<'_, SearchedBranches<f64>>,
+    points: usize,
+) -> Result<ForceCurve> {
+    let course = Course { scene: states.scene, model: states.model, branches };
+    let path = course.follow()?;
+    let samples = course.sampled(&path, points, |[from, to], [index, count]| {
+        Ok(Place { value: from + (to - from) * (index as f64 / count as f64), written: None })
+    })?;
+    let known = |value: f64| Some(Value::Known(value));
+    let summary = CurveSummary {
+        pull_off_force: summary::pull_off(&path.events).and_then(known),
+        jump_in_force: summary::jump_in(&path.events).and_then(known),
+        minimum_force: summary::minimum(&course, &path, &samples)?,
+        hysteresis: summary::hysteresis(&course, &path)?,
+    };
+    let samples = samples.into_iter().map(|sampled| sampled.sample).collect();
+    let numbers = CurveNumbers { samples, summary }.convert(Number::F64);
+    Ok(ForceCurve::new(Promise::F64, numbers))
 }

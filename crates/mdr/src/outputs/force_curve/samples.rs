@@ -1,164 +1,236 @@
 //! The samples of a force curve, with a break at every jump.
 
-use mdr_core::contact::{Control, Error, Fold, FoldKind, Result};
-use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::equilibrium::SearchedBranches;
-use mdr_numeric::path::{ContactState, Dissipation, EdgeEnergies, Edges, EventKind, Path};
+use std::cmp::Ordering;
 
-use super::summary::{summary, unknown};
-use super::{ForceCurve, ForceSample};
-use crate::answer::{List, Number, Optional, Promise, Value};
+use mdr_core::contact::{Control, Error, Fold, FoldKind, Quantity, Result};
+use mdr_core::number::Literal;
+use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::path::{ContactState, Edges, EventKind, Path};
+
+use super::ForceSample;
+use super::summary::unknown;
+use crate::answer::{Optional, Value};
 use crate::outputs::path::{changes, edges, follow, quantities};
 use crate::run::lack;
-use crate::solve::states::States;
+use crate::scene::Scene;
+use crate::solve::model::{Model, SceneReal};
 
 /// At least so many samples between two events.
 const LEAST: usize = 2;
 
-/// The branches on which the contact moves.
-#[derive(Clone, Copy)]
-pub(super) enum Course<'a, 'm> {
-    One(&'a States<'m, f64>),
-    /// With two works of adhesion: the branches of an advancing and of a receding edge.
-    Between([&'a States<'m, f64>; 2]),
+/// A contact with the branches on which it moves.
+pub(super) struct Course<'a, R: SceneReal, B> {
+    pub(super) scene: &'a Scene,
+    /// The contact; with two works of adhesion, that of a receding edge.
+    pub(super) model: &'a Model<R>,
+    pub(super) branches: Branches<'a, B>,
 }
 
-impl<'a, 'm> Course<'a, 'm> {
-    /// The states at the work of adhesion of a receding edge.
-    fn receding(self) -> &'a States<'m, f64> {
+pub(super) enum Branches<'a, B> {
+    One(&'a B),
+    /// With two works of adhesion: the branches of an advancing and of a receding edge.
+    Between([&'a B; 2]),
+}
+
+impl<'a, B> Branches<'a, B> {
+    /// The branches at the work of adhesion of a receding edge.
+    fn receding(&self) -> &'a B {
         match self {
-            Course::One(states) | Course::Between([_, states]) => states,
+            Branches::One(branches) | Branches::Between([_, branches]) => branches,
         }
     }
 
+    /// The branches of a contact that grows, or shrinks.
+    pub(super) fn moving(&self, grows: bool) -> &'a B {
+        match self {
+            Branches::Between([advancing, _]) if grows => advancing,
+            _ => self.receding(),
+        }
+    }
+}
+
+/// A value of the controlled quantity between those of two events.
+pub(super) struct Place<R> {
+    pub(super) value: R,
+    /// The value as it is written, where it is chosen as a decimal.
+    pub(super) written: Option<Literal>,
+}
+
+/// A sample, and where it is from.
+pub(super) struct Sampled<R: SceneReal> {
+    pub(super) sample: ForceSample<R>,
+    pub(super) written: Option<Literal>,
+    /// The event whose state it is, by its number.
+    pub(super) event: Option<usize>,
+}
+
+impl<'a, R: SceneReal, B: EquilibriumBranches<R>> Course<'a, R, B> {
     /// The path of the scene.
-    fn follow(self) -> Result<Path<f64>> {
-        match self {
-            Course::One(states) => follow(states.model, &states.branches, states.scene),
-            Course::Between([advancing, receding]) => {
-                edges::follow(receding.model, [&advancing.branches, &receding.branches], receding.scene)
-            }
+    ///
+    /// # Errors
+    /// A path that cannot start or be followed; errors of the transform.
+    pub(super) fn follow(&self) -> Result<Path<R>> {
+        match self.branches {
+            Branches::One(branches) => follow(self.model, branches, self.scene),
+            Branches::Between(branches) => edges::follow(self.model, branches, self.scene),
         }
     }
 
-    /// The branches on which the radius changes from one to another.
-    pub(super) fn branches(self, [from, to]: [f64; 2]) -> &'a SearchedBranches<f64> {
-        match self {
-            Course::Between([advancing, _]) if to > from => &advancing.branches,
-            _ => &self.receding().branches,
+    /// The samples of a path, about so many; `choose` takes the value at a share between the values of two events.
+    ///
+    /// # Errors
+    /// Errors of the transform; [`Error::Undecided`] if enclosures do not decide the order of two values or radii.
+    pub(super) fn sampled(
+        &self,
+        path: &Path<R>,
+        points: usize,
+        choose: impl Fn([&R; 2], [usize; 2]) -> Result<Place<R>>,
+    ) -> Result<Vec<Sampled<R>>> {
+        let control = self.model.control();
+        let has_depth = self.model.contact().medium().has_depth();
+        let ways = path.events.windows(2).map(|pair| (pair[1].value.clone() - &pair[0].value).abs());
+        let travel = ways.reduce(|sum, way| sum + way);
+        let mut samples = Vec::new();
+        let (mut segment, mut last) = (1, Ordering::Equal);
+        for (number, pair) in path.events.windows(2).enumerate() {
+            let [from, to] = [&pair[0], &pair[1]];
+            let direction = self.order(&to.value, &from.value)?;
+            // An edge that stops or begins to move is no sample of its own.
+            if direction.is_eq() && (to.kind == EventKind::Pinned || from.kind == EventKind::Depinned) {
+                continue;
+            }
+            // A jump breaks the curve, and so does a change of direction.
+            if changes(from.kind) || direction.is_ne() && direction == last.reverse() {
+                segment += 1;
+            }
+            if direction.is_ne() {
+                last = direction;
+            }
+            let way = (to.value.clone() - &from.value).abs();
+            let share = travel.as_ref().filter(|_| direction.is_ne()).map_or(0.0, |travel| (way / travel).approx());
+            let count = LEAST.max((share * points as f64).round() as usize);
+            // The sizes of the last contacts, from which the next is guessed.
+            let mut sizes: Vec<R> = Vec::new();
+            for index in 0..=count {
+                let of_event = |value: &R| Place { value: value.clone(), written: None };
+                let (place, state) = match index {
+                    0 => (of_event(&from.value), Ok(from.after.clone())),
+                    _ if index == count => (of_event(&to.value), Ok(to.before.clone())),
+                    _ => {
+                        let place = choose([&from.value, &to.value], [index, count])?;
+                        let state = lack(self.between([&from.after, &to.before], &place.value, &sizes))?;
+                        (place, state)
+                    }
+                };
+                if let Some(state) = state.as_ref().ok().and_then(ContactState::contact) {
+                    sizes.push(state.contact_radius.clone());
+                }
+                let seen = |state| match state {
+                    ContactState::Contact(state) => ContactState::Contact(self.model.shown(state)),
+                    state => state,
+                };
+                let sample = sample(control, segment, direction, &place.value, state.map(seen))?;
+                let event = [(0, number), (count, number + 1)].into_iter().find(|(end, _)| *end == index);
+                samples.extend(sample.map(|sample| Sampled {
+                    sample: ForceSample { indentation: sample.indentation.filter(|_| has_depth), ..sample },
+                    written: place.written,
+                    event: event.map(|(_, number)| number),
+                }));
+            }
         }
+        Ok(samples)
     }
 
-    /// The energy lost in each event, and on the way to it by a receding edge.
-    pub(super) fn losses(self, path: &Path<f64>) -> Vec<Result<(Dissipation<f64>, f64)>> {
-        match self {
-            Course::One(states) => {
-                Dissipation::of_each(path, &states.branches).into_iter().map(|loss| Ok((loss?, 0.0))).collect()
-            }
-            Course::Between([advancing, receding]) => {
-                let losses = EdgeEnergies::new(&advancing.branches, &receding.branches).losses(path);
-                losses.into_iter().map(|loss| loss.map(|loss| (loss.jump, loss.hysteresis))).collect()
-            }
+    /// The order of two values of the controlled quantity; copies of one enclosure are equal.
+    fn order(&self, one: &R, other: &R) -> Result<Ordering> {
+        if self.branches.receding().is_same(one, other) {
+            return Ok(Ordering::Equal);
         }
+        let quantity = self.model.control().quantity();
+        one.partial_cmp(other).ok_or_else(|| Error::undecided(quantity, one, "the order of two events of the path"))
     }
 
     /// The state at a value between those of two events, on the branch on which both are.
-    fn between(self, from: &ContactState<f64>, to: &ContactState<f64>, value: f64) -> Result<ContactState<f64>> {
+    fn between(&self, [from, to]: [&ContactState<R>; 2], value: &R, sizes: &[R]) -> Result<ContactState<R>> {
         let (Some(before), Some(after)) = (from.contact(), to.contact()) else { return Ok(ContactState::Detached) };
-        let radii = [before.contact_radius, after.contact_radius];
-        match self {
-            Course::Between([advancing, receding]) if radii[0] == radii[1] => {
-                let contact = receding.model.contact();
-                let edges = Edges::new(&contact, &advancing.branches, &receding.branches);
-                edges.pinned(&radii[0], &value).map(ContactState::Contact)
+        let radii = [&before.contact_radius, &after.contact_radius];
+        match &self.branches {
+            Branches::Between([advancing, receding]) if receding.is_same(radii[0], radii[1]) => {
+                let contact = self.model.contact();
+                Edges::new(&contact, *advancing, *receding).pinned(radii[0], value).map(ContactState::Contact)
             }
-            _ => between(self.branches(radii), radii, value),
+            branches => between(branches.moving(radii[1] > radii[0]), radii, value, sizes),
         }
     }
-}
-
-/// The path as a measurement shows it: its samples, and what is read off a measured curve.
-///
-/// # Errors
-/// A path that cannot start or be followed; errors of the transform.
-pub(super) fn sampled(course: Course<'_, '_>, points: usize) -> Result<ForceCurve> {
-    let model = course.receding().model;
-    let path = course.follow()?;
-    let travel: f64 = path.events.windows(2).map(|pair| (pair[1].value - pair[0].value).abs()).sum();
-    let mut samples = Vec::new();
-    let mut segment = 1;
-    let mut last = 0.0;
-    for pair in path.events.windows(2) {
-        let [from, to] = [&pair[0], &pair[1]];
-        let step = to.value - from.value;
-        // An edge that stops or begins to move is no sample of its own.
-        if step == 0.0 && (to.kind == EventKind::Pinned || from.kind == EventKind::Depinned) {
-            continue;
-        }
-        // A jump breaks the curve, and so does a change of direction.
-        if changes(from.kind) || step * last < 0.0 {
-            segment += 1;
-        }
-        if step != 0.0 {
-            last = step;
-        }
-        let share = if travel > 0.0 { step.abs() / travel } else { 0.0 };
-        let count = LEAST.max((share * points as f64).round() as usize);
-        for index in 0..=count {
-            let value = if index == count { to.value } else { from.value + step * (index as f64 / count as f64) };
-            let state = match index {
-                0 => Ok(from.after.clone()),
-                _ if index == count => Ok(to.before.clone()),
-                _ => lack(course.between(&from.after, &to.before, value))?,
-            };
-            let seen = |state| match state {
-                ContactState::Contact(state) => ContactState::Contact(model.shown(state)),
-                state => state,
-            };
-            let sample = sample(model.control(), segment, step, value, state.map(seen))?;
-            let has_depth = model.contact().medium().has_depth();
-            samples.extend(
-                sample.map(|sample| ForceSample { indentation: sample.indentation.filter(|_| has_depth), ..sample }),
-            );
-        }
-    }
-    let summary = summary(course, model, &path, &samples)?;
-    Ok(ForceCurve { samples: List::new(Promise::F64, samples), summary })
 }
 
 /// The state at a value on the branch with two radii.
-fn between(branches: &SearchedBranches<f64>, [from, to]: [f64; 2], value: f64) -> Result<ContactState<f64>> {
-    let middle = f64::midpoint(from, to);
-    // A branch that keeps its radius lies at a vertical edge, beyond the fold that is there.
-    let below = |fold: &Fold<f64>| match fold.kind {
-        FoldKind::Minimum => fold.contact_radius <= middle,
-        FoldKind::Maximum => fold.contact_radius < middle,
+fn between<R: SceneReal, B: EquilibriumBranches<R>>(
+    branches: &B,
+    radii: [&R; 2],
+    value: &R,
+    sizes: &[R],
+) -> Result<ContactState<R>> {
+    let mut branch = 0;
+    for fold in branches.folds() {
+        if !is_below(branches, fold, radii)? {
+            break;
+        }
+        branch += 1;
+    }
+    let found = match sizes {
+        // Not from the fold itself, from which the size grows as a root.
+        [_, .., one, last] => {
+            let step = last.clone() - one;
+            branches.on_branch_near(branch, value, [&(last.clone() + &step), &(last.clone() + step.over(2))])
+        }
+        _ => branches.on_branch(branch, value),
     };
-    let branch = branches.folds().partition_point(below);
-    match branches.on_branch(branch, &value)? {
+    match found? {
         Some(state) => Ok(ContactState::Contact(state)),
         // There is one, between those of the two events.
         None => {
-            let what = "the equilibrium, of which f64 does not find the contact radius";
-            Err(Error::undecided(branches.control().quantity(), &value, what))
+            let what = "the equilibrium, of which the contact radius is not found";
+            Err(Error::undecided(branches.control().quantity(), value, what))
         }
     }
 }
 
+/// Whether a fold is below the branch with two radii. A branch that keeps its radius lies at a vertical edge, beyond the fold that is
+/// there.
+fn is_below<R: SceneReal, B: EquilibriumBranches<R>>(
+    branches: &B,
+    fold: &Fold<R>,
+    [from, to]: [&R; 2],
+) -> Result<bool> {
+    let is_kept = branches.is_same(from, to);
+    let order = if is_kept && branches.is_same(&fold.contact_radius, from) {
+        Some(Ordering::Equal)
+    } else {
+        let middle = if is_kept { from.clone() } else { (from.clone() + to).over(2) };
+        fold.contact_radius.partial_cmp(&middle)
+    };
+    let what = "on which branch a state is";
+    let order = order.ok_or_else(|| Error::undecided(Quantity::ContactRadius, &fold.contact_radius, what))?;
+    Ok(match fold.kind {
+        FoldKind::Minimum => order.is_le(),
+        FoldKind::Maximum => order.is_lt(),
+    })
+}
+
 /// `None` if the surfaces touch everywhere; without the numbers of a state that was not found.
-fn sample(
-    control: &Control<f64>,
+fn sample<R: SceneReal>(
+    control: &Control<R>,
     segment: usize,
-    step: f64,
-    value: f64,
-    state: Result<ContactState<f64>>,
-) -> Result<Option<ForceSample>> {
-    let known = |value: Value<f64>| value.and_then(|value| Value::Known(Number::F64(value)));
-    let numbers = match state {
-        Ok(state) => quantities(control, &state, &value),
+    direction: Ordering,
+    value: &R,
+    state: Result<ContactState<R>>,
+) -> Result<Option<ForceSample<R>>> {
+    let [contact_radius, indentation, force] = match state {
+        Ok(state) => quantities(control, &state, value),
         Err(error) => {
             let open = Some(unknown(error)?);
-            let held = Some(Value::Known(value));
+            let held = Some(Value::Known(value.clone()));
             match control {
                 Control::Indentation => [open.clone(), held, open],
                 Control::Force => [open.clone(), open, held],
@@ -166,12 +238,11 @@ fn sample(
             }
         }
     };
-    let [contact_radius, indentation, force] = numbers.map(|quantity| quantity.map(known));
     let Some(force) = force else { return Ok(None) };
     Ok(Some(ForceSample {
         segment,
-        direction: if step < 0.0 { "retract" } else { "approach" },
-        position: Optional(matches!(control, Control::Machine { .. }).then(|| known(Value::Known(value)))),
+        direction: if direction.is_lt() { "retract" } else { "approach" },
+        position: Optional(matches!(control, Control::Machine { .. }).then(|| Value::Known(value.clone()))),
         indentation,
         force,
         contact_radius,

@@ -1,6 +1,6 @@
 //! The path between two works of adhesion over enclosures: every digit and every decision proved, and its energies on a half-space.
 
-use mdr_core::contact::{self, Control, Edge, Error, Result};
+use mdr_core::contact::{self, Control, Edge, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
@@ -10,7 +10,7 @@ use mdr_numeric::path::{EventKind, Path};
 use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
-use super::proof::{ENOUGH, set_exact};
+use super::proof::{checked, set_exact, started};
 use super::{LoadingPath, PathNumbers, edges, edges_energies, events, is_arrival};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise};
@@ -20,9 +20,35 @@ use crate::solve::model::Model;
 use crate::solve::proof::{Enclosed, FoldProof, decided, reached};
 
 /// The contact at the works of adhesion of an advancing and of a receding edge, each with all its folds.
-pub(super) struct Pair<'a, 's> {
-    pub(super) edges: [&'a Certified<'s>; 2],
-    pub(super) folds: [&'a FoldProof; 2],
+pub(crate) struct Pair<'a, 's> {
+    pub(crate) edges: [&'a Certified<'s>; 2],
+    pub(crate) folds: [&'a FoldProof; 2],
+}
+
+/// What `use_them` makes of the contact of each edge over enclosures, its branches, and the path between them, of which every decision is
+/// certain.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform, see [`Path::follow_edges`]; [`Error::Unproved`] if more bits
+/// do not help; errors of `use_them`.
+///
+/// [`Error::Unproved`]: mdr_core::contact::Error::Unproved
+pub(crate) fn with_path<T>(
+    pair: &Pair<'_, '_>,
+    precision: Precision,
+    use_them: impl FnOnce([&Enclosed; 2], [&ProvedBranches; 2], Path<Interval>) -> Result<T>,
+) -> Result<T> {
+    let receding = pair.edges[1];
+    let of = |edge: usize| {
+        let enclosed = Enclosed::new(pair.edges[edge], precision)?;
+        let branches = ProvedBranches::new(enclosed.curve(), &pair.folds[edge].proved)?;
+        Ok((branches.with_admissibility(receding.admissibility()?), enclosed))
+    };
+    let [(outer, advancing), (inner, enclosed)] = [of(0)?, of(1)?];
+    let path = edges::follow(&enclosed.value, [&outer, &inner], receding.scene);
+    let path = started(path, enclosed.value.control())?;
+    checked(&path, [&outer, &inner], receding)?;
+    use_them([&advancing, &enclosed], [&outer, &inner], path)
 }
 
 /// A path that was followed over enclosures.
@@ -42,37 +68,15 @@ impl Followed {
     /// No stable equilibrium at the first way point; errors of the transform, see [`Path::follow_edges`]; [`Error::Unproved`] if
     /// more bits do not help.
     fn new(pair: &Pair<'_, '_>, precision: Precision) -> Result<Self> {
-        let [advancing, receding] = pair.edges;
-        let branches = |certified: &Certified<'_>, folds: &FoldProof| {
-            let enclosed = Enclosed::new(certified, precision)?;
-            let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
-            Ok((branches.with_admissibility(receding.admissibility()?), enclosed.value))
-        };
-        let (outer, _) = branches(advancing, pair.folds[0])?;
-        let (inner, model) = branches(receding, pair.folds[1])?;
-        let control = model.control().clone();
-        let unproved = || {
-            let (from, to) = ("0".to_owned(), "infinity".to_owned());
-            Error::Unproved { quantity: control.quantity(), from, to, remedy: "name a wider range of radii" }
-        };
-        let path = match edges::follow(&model, [&outer, &inner], receding.scene) {
-            // There is none in the range of the proof, whatever the precision.
-            Err(Error::NoEquilibrium { .. }) => return Err(unproved()),
-            path => path?,
-        };
-        let asked_for = start(receding.digits).bits();
-        for branches in [&outer, &inner] {
-            branches.check(&path).map_err(|error| match error {
-                // The rest of the radii is long, and not a matter of bits.
-                Error::Undecided { bits, .. } if bits >= ENOUGH * asked_for => unproved(),
-                error => error,
-            })?;
-        }
-        let finite = |branches: &ProvedBranches| {
-            branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect()
-        };
-        let shown = events::shown(&path, model.contact().medium());
-        Ok(Followed { path, shown, folds: [finite(&outer), finite(&inner)], control, bits: precision.bits() })
+        with_path(pair, precision, |enclosed, branches, path| {
+            let finite = |branches: &ProvedBranches| {
+                branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect()
+            };
+            let model = &enclosed[1].value;
+            let shown = events::shown(&path, model.contact().medium());
+            let control = model.control().clone();
+            Ok(Followed { path, shown, folds: branches.map(finite), control, bits: precision.bits() })
+        })
     }
 
     /// Its energies over enclosures, each of them proved; `None` if one cannot be.

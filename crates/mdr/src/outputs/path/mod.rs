@@ -39,7 +39,15 @@ use crate::solve::{
     certified::Certified,
     digits::decide,
     power_law::{self, PowerLaw},
+    proof::FoldProof,
 };
+
+#[cfg(feature = "mp")]
+pub(crate) use edges_proof::{Pair, with_path as with_path_between};
+#[cfg(feature = "mp")]
+pub(crate) use proof::with_path;
+#[cfg(feature = "mp")]
+pub(crate) use start::refuse_at_once;
 
 pub(crate) use events::{beyond_noise, changes, follow, is_arrival, quantities};
 
@@ -192,6 +200,15 @@ impl LoadingPath {
         LoadingPath { energy: None, ..self.with_energy_of(Promise::Certified, other) }
     }
 
+    /// Takes the energies from another computation of the same path, at two precisions, or the reason why there are none.
+    #[cfg(feature = "mp")]
+    fn with_estimated_energy_of(self, other: Result<PathNumbers<Number>>) -> Self {
+        match other {
+            Ok(other) => self.with_energy_of(Promise::Estimated, other),
+            Err(error) => self.without_energy(&error.to_string()),
+        }
+    }
+
     /// Takes the energies from another computation of the same path.
     #[cfg(feature = "mp")]
     pub(crate) fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
@@ -260,11 +277,7 @@ impl<'w> Request<'w> for Room {
 impl<'w> IsRoom<'w> for Room {
     #[cfg(feature = "mp")]
     fn visited(&self, search: &Search<'_>) -> Vec<f64> {
-        let path = followed(search);
-        let events = path.into_iter().flat_map(|path| path.events);
-        let states = events.flat_map(|event| [event.before, event.after]);
-        let radii = states.filter_map(|state| Some(state.contact()?.contact_radius));
-        radii.filter(|radius| *radius > 0.0 && radius.is_finite()).collect()
+        visited(search)
     }
 
     #[cfg(feature = "mp")]
@@ -276,23 +289,14 @@ impl<'w> IsRoom<'w> for Room {
     /// Proved where the folds are, except for the energy.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if certified.scene.has_two_works() {
-            return proved_between_edges(certified);
-        }
-        start::refuse_at_once(certified)?;
-        let Some(folds) = certified.fold_proof()? else { return Ok(None) };
-        let Some((proved, mut followed)) = proof::path(certified, folds)? else { return Ok(None) };
-        if !has_energies(certified) {
-            return Ok(Some(proved.into()));
-        }
-        if let Some(path) = followed.proved_energy(certified, folds)? {
-            return Ok(Some(proved.with_proved_energy_of(path).into()));
-        }
-        let path = match followed.with_energy(certified, folds) {
-            Ok(path) => proved.with_energy_of(Promise::Estimated, path),
-            Err(error) => proved.without_energy(&error.to_string()),
+        let energies = if has_energies(certified) { Energies::All } else { Energies::None };
+        let path = if certified.scene.has_two_works() {
+            with_pair(certified, |pair| proved_between_edges(pair, energies))?
+        } else {
+            start::refuse_at_once(certified)?;
+            certified.fold_proof()?.map_or(Ok(None), |folds| proved(certified, folds, energies))?
         };
-        Ok(Some(path.into()))
+        Ok(path.map(Output::from))
     }
 
     #[cfg(feature = "mp")]
@@ -405,6 +409,45 @@ pub(crate) fn note(scene: &Scene, outputs: &[Output]) -> Option<String> {
     })
 }
 
+/// The contact radii through which a path in f64 goes.
+#[cfg(feature = "mp")]
+pub(crate) fn visited(search: &Search<'_>) -> Vec<f64> {
+    let events = followed(search).into_iter().flat_map(|path| path.events);
+    let states = events.flat_map(|event| [event.before, event.after]);
+    let radii = states.filter_map(|state| Some(state.contact()?.contact_radius));
+    radii.filter(|radius| *radius > 0.0 && radius.is_finite()).collect()
+}
+
+/// Which energies of a path are computed.
+#[cfg(feature = "mp")]
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Energies {
+    None,
+    /// Those that enclosures decide.
+    Proved,
+    /// Else at two precisions.
+    All,
+}
+
+/// The path over enclosures, with these of its energies; `None` if it cannot be proved.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform.
+#[cfg(feature = "mp")]
+pub(crate) fn proved(certified: &Certified<'_>, folds: &FoldProof, energies: Energies) -> Result<Option<LoadingPath>> {
+    let Some((proved, mut followed)) = proof::path(certified, folds)? else { return Ok(None) };
+    if energies == Energies::None {
+        return Ok(Some(proved));
+    }
+    if let Some(path) = followed.proved_energy(certified, folds)? {
+        return Ok(Some(proved.with_proved_energy_of(path)));
+    }
+    if energies == Energies::Proved {
+        return Ok(Some(proved));
+    }
+    Ok(Some(proved.with_estimated_energy_of(followed.with_energy(certified, folds))))
+}
+
 /// The path of a search in f64, of one edge or between two.
 ///
 /// # Errors
@@ -431,27 +474,35 @@ pub(crate) fn with_edges<T>(
     use_them([&of(&advancing), &of(&receding)])
 }
 
-/// Proved where the folds of both edges are; its energies where integrals with a proved remainder decide them.
+/// What `use_them` makes of the contact at the work of adhesion of each edge with all its folds; `None` where these are not proved.
 #[cfg(feature = "mp")]
-fn proved_between_edges(certified: &Certified<'_>) -> Result<Option<Output>> {
-    with_edges(certified, |edges| {
-        let (Some(advancing), Some(receding)) = (edges[0].fold_proof()?, edges[1].fold_proof()?) else {
-            return Ok(None);
-        };
-        let pair = edges_proof::Pair { edges, folds: [advancing, receding] };
-        let Some((proved, mut followed)) = edges_proof::path(&pair)? else { return Ok(None) };
-        if !has_energies(certified) {
-            return Ok(Some(proved.into()));
-        }
-        if let Some(path) = followed.proved_energy(&pair)? {
-            return Ok(Some(proved.with_proved_energy_of(path).into()));
-        }
-        let path = match followed.with_energy(&pair) {
-            Ok(path) => proved.with_energy_of(Promise::Estimated, path),
-            Err(error) => proved.without_energy(&error.to_string()),
-        };
-        Ok(Some(path.into()))
+pub(crate) fn with_pair<T>(
+    certified: &Certified<'_>,
+    use_them: impl FnOnce(&Pair<'_, '_>) -> Result<Option<T>>,
+) -> Result<Option<T>> {
+    with_edges(certified, |edges| match (edges[0].fold_proof()?, edges[1].fold_proof()?) {
+        (Some(advancing), Some(receding)) => use_them(&Pair { edges, folds: [advancing, receding] }),
+        _ => Ok(None),
     })
+}
+
+/// The path between two works of adhesion over enclosures, with these of its energies; `None` if it cannot be proved.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform.
+#[cfg(feature = "mp")]
+pub(crate) fn proved_between_edges(pair: &Pair<'_, '_>, energies: Energies) -> Result<Option<LoadingPath>> {
+    let Some((proved, mut followed)) = edges_proof::path(pair)? else { return Ok(None) };
+    if energies == Energies::None {
+        return Ok(Some(proved));
+    }
+    if let Some(path) = followed.proved_energy(pair)? {
+        return Ok(Some(proved.with_proved_energy_of(path)));
+    }
+    if energies == Energies::Proved {
+        return Ok(Some(proved));
+    }
+    Ok(Some(proved.with_estimated_energy_of(followed.with_energy(pair))))
 }
 
 #[cfg(feature = "mp")]

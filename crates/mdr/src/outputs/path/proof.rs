@@ -19,7 +19,7 @@ use crate::solve::model::Model;
 use crate::solve::proof::{Enclosed, FoldProof, decided, exactly, reached};
 
 /// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
-pub(super) const ENOUGH: u32 = 16;
+const ENOUGH: u32 = 16;
 
 /// A path that was followed over enclosures.
 pub(super) struct Followed {
@@ -38,28 +38,12 @@ impl Followed {
     /// No stable equilibrium at the first way point; errors of the transform, see [`Path::follow`]; [`Error::Unproved`] if more
     /// bits do not help.
     fn new(certified: &Certified<'_>, folds: &FoldProof, precision: Precision) -> Result<Self> {
-        let enclosed = Enclosed::new(certified, precision)?;
-        let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
-        let branches = surrounded(branches, certified, precision)?;
-        let control = enclosed.value.control();
-        let unproved = || {
-            let (from, to) = ("0".to_owned(), "infinity".to_owned());
-            Error::Unproved { quantity: control.quantity(), from, to, remedy: "name a wider range of radii" }
-        };
-        let path = match follow(&enclosed.value, &branches, certified.scene) {
-            // There is none in the range of the proof, whatever the precision.
-            Err(Error::NoEquilibrium { .. }) => return Err(unproved()),
-            path => path?,
-        };
-        let asked_for = start(certified.digits).bits();
-        branches.check(&path).map_err(|error| match error {
-            // The rest of the radii is long, and not a matter of bits.
-            Error::Undecided { bits, .. } if bits >= ENOUGH * asked_for => unproved(),
-            error => error,
-        })?;
-        let folds = branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect();
-        let shown = events::shown(&path, enclosed.value.contact().medium());
-        Ok(Followed { path, shown, folds, control: control.clone(), bits: precision.bits() })
+        with_path(certified, folds, precision, |enclosed, branches, path| {
+            let folds = branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect();
+            let shown = events::shown(&path, enclosed.value.contact().medium());
+            let control = enclosed.value.control().clone();
+            Ok(Followed { path, shown, folds, control, bits: precision.bits() })
+        })
     }
 
     /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is
@@ -82,6 +66,60 @@ impl Followed {
             events::with_energy(&self.path.map(rounded), &certified.scene.path, &branches)
         })
     }
+}
+
+/// What `use_them` makes of the contact over enclosures, its branches, and the path between them, of which every decision is certain.
+///
+/// # Errors
+/// No stable equilibrium at the first way point; errors of the transform, see [`Path::follow`]; [`Error::Unproved`] if more bits do not
+/// help; errors of `use_them`.
+pub(crate) fn with_path<T>(
+    certified: &Certified<'_>,
+    folds: &FoldProof,
+    precision: Precision,
+    use_them: impl FnOnce(&Enclosed, &ProvedBranches, Path<Interval>) -> Result<T>,
+) -> Result<T> {
+    let enclosed = Enclosed::new(certified, precision)?;
+    let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
+    let branches = surrounded(branches, certified, precision)?;
+    let path = started(follow(&enclosed.value, &branches, certified.scene), enclosed.value.control())?;
+    checked(&path, [&branches], certified)?;
+    use_them(&enclosed, &branches, path)
+}
+
+/// A path that starts in the range of the proof.
+///
+/// # Errors
+/// [`Error::Unproved`] where there is no equilibrium in that range, whatever the precision.
+pub(super) fn started(path: Result<Path<Interval>>, control: &Control<Interval>) -> Result<Path<Interval>> {
+    match path {
+        Err(Error::NoEquilibrium { .. }) => Err(unproved(control)),
+        path => path,
+    }
+}
+
+/// Checks that a path uses proved results only.
+///
+/// # Errors
+/// [`Error::Undecided`] where more bits may decide it, else [`Error::Unproved`]; see [`ProvedBranches::check`].
+pub(super) fn checked<'b>(
+    path: &Path<Interval>,
+    branches: impl IntoIterator<Item = &'b ProvedBranches>,
+    certified: &Certified<'_>,
+) -> Result<()> {
+    let asked_for = start(certified.digits).bits();
+    branches.into_iter().try_for_each(|branches| {
+        branches.check(path).map_err(|error| match error {
+            // The rest of the radii is long, and not a matter of bits.
+            Error::Undecided { bits, .. } if bits >= ENOUGH * asked_for => unproved(branches.control()),
+            error => error,
+        })
+    })
+}
+
+fn unproved(control: &Control<Interval>) -> Error {
+    let (from, to) = ("0".to_owned(), "infinity".to_owned());
+    Error::Unproved { quantity: control.quantity(), from, to, remedy: "name a wider range of radii" }
 }
 
 /// Branches with what is known of their surroundings: which states are admissible, and the profile where one may not be.

@@ -28,7 +28,7 @@ const PRECISE: usize = 1;
 ///
 /// # Errors
 /// [`Error::NoEquilibrium`]; errors of the search.
-pub(super) fn refuse_at_once(certified: &Certified<'_>) -> Result<()> {
+pub(crate) fn refuse_at_once(certified: &Certified<'_>) -> Result<()> {
     let scene = certified.scene;
     let (Some(_), Some(first)) = (scene.profile.rows(), scene.path.first()) else { return Ok(()) };
     // Where separated surfaces touch is another question.
