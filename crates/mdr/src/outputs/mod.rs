@@ -205,7 +205,7 @@ outputs! {
         /// Values of the controlled quantity.
         states: Vec<Literal>,
     } -> [List<AtValue<EnergyState>>],
-    /// The loading path as a measurement shows it, in f64.
+    /// The loading path as a measurement shows it, with what is read off a measured curve.
     force_curve: ForceCurve = "force-curve" {
         /// How many samples there are about, spread evenly over the controlled quantity.
         points: u32,

@@ -10,8 +10,8 @@
 //! | [`certified`] | two precisions | the folds of the search, refined | digits on which both agree |
 //! | [`search`] | f64 | a survey of the tangency ratio | doubles |
 //!
-//! A certified scene is proved where that can be, output by output, and estimated elsewhere; energies and fields of tables, on other
-//! media than the half-space, and with two works of adhesion are always estimated. A scene in f64 is searched, and what f64 does not
+//! A certified scene is proved where that can be, output by output, and estimated elsewhere: fields and energies of tables, and on other
+//! media than the half-space all but the energies that are closed forms. A scene in f64 is searched, and what f64 does not
 //! hold is proved or estimated in digits.
 
 mod admissible;
