@@ -36,7 +36,7 @@ pub trait EquilibriumBranches<R: Real> {
     /// them, where it is expected.
     ///
     /// # Errors
-    /// Those of [`on_branch`](EquilibriumBranches::on_branch).
+    /// Errors of [`on_branch`](EquilibriumBranches::on_branch).
     fn on_branch_near(&self, branch: usize, value: &R, _near: [&R; 2]) -> Result<Option<Equilibrium<R>>> {
         self.on_branch(branch, value)
     }

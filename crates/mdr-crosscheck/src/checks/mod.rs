@@ -23,6 +23,7 @@ mod profiles;
 mod proof;
 mod quadrature;
 mod range;
+mod rigorous;
 mod threshold;
 mod wave;
 
@@ -124,6 +125,7 @@ const RUNS: &[(&str, Case)] = &[
     ("enclosure-range", range::enclosures),
     ("few-bits-power-laws", containment::power_laws),
     ("few-bits-profiles", containment::profiles),
+    ("profile-library-proved", rigorous::profiles),
     ("critical-state-in-its-equations", by_turns!(identities::critical)),
     ("slopes-of-equilibria", by_turns!(identities::slopes)),
     ("logarithms-of-critical-states", by_turns!(identities::logarithms)),
