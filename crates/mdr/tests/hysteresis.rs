@@ -188,6 +188,31 @@ fn equal_works_are_one() {
     assert_eq!(two.solve().unwrap().to_json(), one.solve().unwrap().to_json());
 }
 
+/// The energy of the state in which a path starts is certified, on either edge and between the two. A pinned contact is a linear spring: from one
+/// depth to another the energy rises by the mean force times the way.
+#[test]
+fn the_energy_of_a_state_is_certified() {
+    let state = |depth: &str, start: &str, profile: &str| {
+        let control = format!("kind = \"indentation\"\npath = [\"{depth}\"]\nstart = {start}");
+        let answer = scene(profile, ["0.01", "0.04"], &control, "want = [\"energy\"]").unwrap().solve().unwrap();
+        let energies = answer.energy().unwrap();
+        assert_eq!(energies.promise, Promise::Certified, "{profile} {depth} {start}");
+        let state = energies.items[0].items[0].clone();
+        (state.edge, [&state.energy, &state.state.force, &state.stiffness].map(|value| value.to_f64().unwrap()))
+    };
+    for profile in [BALL, WAVY, "kind = \"sphere\"\nradius = 1"] {
+        for (start, edge) in [("\"smallest\"", "advancing"), ("\"largest\"", "receding")] {
+            assert_eq!(state("0.1", start, profile).0.map(|edge| edge.name()), Some(edge), "{profile}");
+        }
+        let [(edge, [low, pull, stiffness]), (_, [high, push, _])] =
+            ["-0.18", "-0.08"].map(|depth| state(depth, "0.2", profile));
+        assert_eq!((edge, stiffness), (None, 0.4), "{profile}");
+        let work = 0.5 * (pull + push) * 0.1;
+        // Some roundings of two energies and of the work.
+        assert!((high - low - work).abs() < 4.0 * f64::EPSILON * (high.abs() + low.abs() + work.abs()), "{profile}");
+    }
+}
+
 /// Folds and equilibria are those of both edges, each with its name.
 #[test]
 fn folds_and_equilibria_name_their_edge() {
