@@ -188,14 +188,17 @@ fn equal_works_are_one() {
     assert_eq!(two.solve().unwrap().to_json(), one.solve().unwrap().to_json());
 }
 
-/// The energy of the state in which a path starts is certified, on either edge and between the two. A pinned contact is a linear spring: from one
+/// Energy and fields of the state in which a path starts are certified, on either edge and between the two. A pinned contact is a linear spring: from one
 /// depth to another the energy rises by the mean force times the way.
 #[test]
-fn the_energy_of_a_state_is_certified() {
+fn energy_and_fields_of_a_state_are_certified() {
     let state = |depth: &str, start: &str, profile: &str| {
         let control = format!("kind = \"indentation\"\npath = [\"{depth}\"]\nstart = {start}");
-        let answer = scene(profile, ["0.01", "0.04"], &control, "want = [\"energy\"]").unwrap().solve().unwrap();
+        let wanted = "want = [\"energy\", \"pressure\", \"displacement\"]";
+        let answer = scene(profile, ["0.01", "0.04"], &control, wanted).unwrap().solve().unwrap();
         let energies = answer.energy().unwrap();
+        let fields = [answer.pressure().unwrap(), answer.displacement().unwrap()];
+        assert_eq!(fields.map(|field| field.promise), [Promise::Certified; 2], "{profile} {depth} {start}");
         assert_eq!(energies.promise, Promise::Certified, "{profile} {depth} {start}");
         let state = energies.items[0].items[0].clone();
         (state.edge, [&state.energy, &state.state.force, &state.stiffness].map(|value| value.to_f64().unwrap()))

@@ -68,14 +68,27 @@ impl<'a> EnclosedFields<'a> {
         if !profile.reaches(&a) || profile.breaks().iter().any(|b| b.overlaps(&a)) {
             return Err(unproved(&a));
         }
-        let d = state.indentation.clone();
         let edge = if contact.vertical_edge().is_some_and(|outer_edge| outer_edge.overlaps(&a)) {
             let [_, g, _] = at_edge(contact, &a)?.ok_or_else(|| unproved(&a))?;
-            g - &d
+            g - &state.indentation
         } else {
             contact.elongation(&a)
         };
-        Ok(EnclosedFields { contact, profile, a, d, edge })
+        Ok(EnclosedFields { contact, profile, a, d: state.indentation.clone(), edge })
+    }
+
+    /// The fields of a state in which the edge is pinned between two works of adhesion: its elongation is g(a) − d.
+    ///
+    /// # Errors
+    /// [`EnclosedFields::new`].
+    pub fn pinned(
+        contact: &'a Contact<Interval>,
+        profile: &'a Continuation,
+        state: &Equilibrium<Interval>,
+    ) -> Result<Self> {
+        let fields = Self::new(contact, profile, state)?;
+        let edge = contact.transform().g(&fields.a)? - &fields.d;
+        Ok(EnclosedFields { edge, ..fields })
     }
 
     /// The precision of the enclosures.

@@ -10,13 +10,12 @@ use {
     mdr_core::contact::{Control, Equilibrium, Error, Quantity, Stability, Status},
     mdr_core::number::certify::Enclosure,
     mdr_core::number::{Interval, Real},
-    mdr_numeric::path::Edges,
     rug::Rational,
 };
 
 use super::path::edges::{self, Held};
 #[cfg(feature = "mp")]
-use super::path::{with_edges, with_pair, with_path_between};
+use super::path::with_edges;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject, not_wanted};
 use super::{Output, Want};
 use crate::answer::record::{Numbers, record};
@@ -31,10 +30,7 @@ use crate::{
     answer::{List, Promise},
     scene::Scene,
     solve::certified::Certified,
-    solve::digits::{MOST_OF_INTEGRALS, decide_within, start},
-    solve::model::Model,
     solve::power_law::{self, PowerLaw},
-    solve::proof::{controlled_exactly, reached},
     solve::rigorous::{self, Proved},
 };
 
@@ -80,9 +76,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if certified.scene.has_two_works() {
-            return between_edges(certified);
-        }
         let is_enclosed = certified.encloses_energies()?;
         let items = rigorous::described(certified, is_enclosed, self.states, |proved, state, record| {
             of_proved(certified, proved, state, record)
@@ -156,21 +149,19 @@ fn described<R: SceneReal>(states: &States<'_, R>, held: Held<R>) -> Result<Ener
 #[cfg(feature = "mp")]
 fn of_proved(
     certified: &Certified<'_>,
-    proved: &Proved,
+    proved: &Proved<'_>,
     state: &Equilibrium<Interval>,
     record: PlainState<Enclosure>,
 ) -> Result<EnergyState<Enclosure>> {
     let radius = &state.contact_radius;
-    let [potential, stiffness] =
-        proved.with_energy(|energy| Ok([energy.potential(radius, &state.indentation), energy.stiffness(radius)]))?;
-    let energy = potential? + held(certified.scene, radius);
+    let energy = proved.potential(state)? + held(certified.scene, radius);
     let verdict = verdict(&*certified.admissibility()?, &state.contact_radius, &state.indentation);
     Ok(EnergyState {
         state: record,
         energy: Value::Known(energy.into()),
-        stiffness: Value::from_result(along(state, &certified.scene.control, stiffness))?,
+        stiffness: Value::from_result(along(state, &certified.scene.control, proved.stiffness(radius)))?,
         admissible: Admission::of(verdict),
-        edge: certified.scene.edge,
+        edge: proved.edge,
     })
 }
 
@@ -185,59 +176,6 @@ fn along(state: &Equilibrium<Interval>, control: &Control<Literal>, stiffness: R
         (Stability::Neutral, Control::Force) => Ok(Rational::new().into()),
         _ => stiffness.map(Enclosure::from),
     }
-}
-
-/// The energy of the state in which a path between two works of adhesion starts, over enclosures; `None` if it cannot be proved.
-#[cfg(feature = "mp")]
-fn between_edges(certified: &Certified<'_>) -> Result<Option<Output>> {
-    let (scene, digits) = (certified.scene, certified.digits);
-    let Some(first) = scene.path.first().filter(|_| !scene.medium.is_periodic()) else { return Ok(None) };
-    if !certified.encloses_energies()? {
-        return Ok(None);
-    }
-    let items = with_pair(certified, |pair| {
-        reached(decide_within(MOST_OF_INTEGRALS, start(digits), digits, |precision| {
-            with_path_between(pair, precision, |enclosed, branches, _| {
-                let model = &enclosed[1].value;
-                let edges = Edges::new(&model.contact(), branches[0], branches[1]);
-                let (edge, state) = edges.first(&model.start(&scene.start)?, &model.number(first))?;
-                let touching = state.contact().filter(|state| !state.contact_radius.upper().is_zero());
-                let records = touching.map(|state| of_edge(pair.edges[1], model, edge, state, first)).transpose()?;
-                Ok(vec![AtValue::new(first, records.into_iter().collect())])
-            })
-        }))
-    })?;
-    Ok(items.map(|items| Output::Energy(List::new(Promise::Certified, items))))
-}
-
-/// The energy stored in a state on an edge, or pinned between the two, and its stiffness.
-#[cfg(feature = "mp")]
-fn of_edge(
-    certified: &Certified<'_>,
-    model: &Model<Interval>,
-    edge: Option<Edge>,
-    state: &Equilibrium<Interval>,
-    value: &Literal,
-) -> Result<EnergyState<Enclosure>> {
-    let (radius, depth) = (&state.contact_radius, &state.indentation);
-    let advancing = model.at(Edge::Advancing).contact();
-    let energy = certified.with_energy(&advancing, |energy| energy.potential(radius, depth))?;
-    let stiffness = match edge {
-        Some(edge) => certified.with_energy(&model.at(edge).contact(), |energy| Ok(energy.stiffness(radius)))?,
-        None => Ok(model.contact().stiffness(radius)),
-    };
-    let control = &certified.scene.control;
-    let mut record = model.plain(state.clone()).convert(Enclosure::from);
-    if state.stability != Stability::Neutral {
-        controlled_exactly(control, value, &mut record.indentation, &mut record.force);
-    }
-    Ok(EnergyState {
-        state: record,
-        energy: Value::Known(energy.into()),
-        stiffness: Value::from_result(along(state, control, stiffness))?,
-        admissible: Admission::of(verdict(&*certified.admissibility()?, radius, depth)),
-        edge,
-    })
 }
 
 /// Π and dF/dd of a power law.

@@ -180,14 +180,14 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
         let [states, at] = self.question();
         let is_enclosed = certified.scene.medium.is_half_space() && certified.formulas()?.is_some();
         let items = rigorous::described(certified, is_enclosed, states, |proved, state, record| {
-            let fields = EnclosedFields::new(&proved.contact, proved.profile()?, state)?;
+            let fields = proved.fields(state)?;
             let verdict = verdict(&*certified.admissibility()?, &state.contact_radius, &state.indentation);
             Ok(FieldState {
                 samples: proved_samples::<F>(proved, &fields, at, &state.contact_radius)?,
                 admissible: F::proved_admission(verdict, &fields)?,
                 state: record,
                 field: F::FIELD,
-                edge: certified.scene.edge,
+                edge: proved.edge,
             })
         })?;
         let Some(mut items) = items else { return Ok(None) };
@@ -333,7 +333,7 @@ fn samples<'w, R: SceneReal, F: FieldRoom<'w>>(
 /// The field of a state that is proved, at the radii of the scene, else at fractions of the contact radius.
 #[cfg(feature = "mp")]
 fn proved_samples<'w, F: FieldRoom<'w>>(
-    proved: &Proved,
+    proved: &Proved<'_>,
     fields: &EnclosedFields<'_>,
     radii: &[Literal],
     a: &Interval,
@@ -343,7 +343,7 @@ fn proved_samples<'w, F: FieldRoom<'w>>(
         let shown = if numerator == 0 { Rational::new().into() } else { Enclosure::from(r.clone()) };
         (Value::Known(shown), r)
     });
-    let given = radii.iter().map(|literal| (Value::Given(literal.clone()), proved.enclosed.value.number(literal)));
+    let given = radii.iter().map(|literal| (Value::Given(literal.clone()), proved.model.number(literal)));
     let sample = |(r, at): (_, Interval)| {
         let (value, promise) = match F::enclosed(fields, &at) {
             Err(error @ Error::Unproved { .. }) if F::is_estimated(fields, &at) => {

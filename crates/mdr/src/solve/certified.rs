@@ -17,7 +17,7 @@ use super::digits::{MOST_OF_INTEGRALS, agree, decide, decide_within, start};
 use super::model::{Model, SceneReal};
 use super::proof::{self, FoldProof};
 use super::refine::refined;
-use super::rigorous::{Formulas, without_energies};
+use super::rigorous::{Formulas, with_energies, without_energies};
 use super::search::{Search, not_proved};
 use super::states::States;
 use super::{Once, once};
@@ -75,11 +75,11 @@ impl<'s> Certified<'s> {
         ask: impl FnOnce(&EnclosedEnergy<'_>) -> Result<T>,
     ) -> Result<T> {
         if self.scene.has_closed_energies() {
-            return ask(&EnclosedEnergy::closed(contact));
+            return with_energies(contact, None, ask);
         }
         let formulas = self.formulas()?.ok_or_else(without_energies)?;
         let profile = formulas.continued(contact.modulus().ctx())?;
-        ask(&EnclosedEnergy::new(contact, &profile)?)
+        with_energies(contact, Some(&profile), ask)
     }
 
     /// Which states are admissible: by the form of the profile, by enclosures of the gap, by proved extrema of g, else in f64.

@@ -3,20 +3,23 @@
 use std::collections::BTreeMap;
 
 use mdr_core::contact::{
-    Breaks, Control, Equilibrium, Error, Expression, ExpressionError, Quantity, Result, Stability,
+    Breaks, Control, Edge, Equilibrium, Error, Expression, ExpressionError, Quantity, Result, Stability,
 };
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::path::{ContactState, Path};
-use mdr_numeric::proof::{Continuation, EnclosedEnergy, ProvedBranches};
+use mdr_numeric::contact::Contact;
+use mdr_numeric::path::{ContactState, Edges, Path};
+use mdr_numeric::proof::{Continuation, EnclosedEnergy, EnclosedFields, ProvedBranches};
 
 use super::certified::Certified;
 use super::digits::{MOST_OF_INTEGRALS, decide_within, start};
-use super::proof::{Enclosed, FoldProof, controlled_exactly, reached};
+use super::model::Model;
+use super::proof::{Enclosed, controlled_exactly, reached};
 use crate::answer::record::Numbers;
 use crate::answer::{AtValue, Number, PlainState};
-use crate::scene::Profile;
+use crate::outputs::path;
+use crate::scene::{Profile, Scene};
 
 /// The profile as formulas, with the values of their parameters and their kinks.
 pub(crate) struct Formulas(Vec<(Expression, BTreeMap<String, Literal>, Breaks)>);
@@ -83,62 +86,82 @@ pub(crate) fn without_energies() -> Error {
     Error::Unproved { quantity, from: "the profile".to_owned(), to: "the profile".to_owned(), remedy }
 }
 
-/// The contact over enclosures, with all that is proved about its states.
-pub(crate) struct Proved {
-    pub(crate) enclosed: Enclosed,
-    pub(crate) contact: mdr_numeric::contact::Contact<Interval>,
-    /// Where there are formulas of it, on a half-space.
-    profile: Option<Continuation>,
-    branches: ProvedBranches,
+/// What `ask` finds out with the energies of a contact: by integrals over its profile, or without one by closed forms.
+///
+/// # Errors
+/// Errors of `ask`.
+pub(crate) fn with_energies<T>(
+    contact: &Contact<Interval>,
+    profile: Option<&Continuation>,
+    ask: impl FnOnce(&EnclosedEnergy<'_>) -> Result<T>,
+) -> Result<T> {
+    match profile {
+        Some(profile) => ask(&EnclosedEnergy::new(contact, profile)?),
+        None => ask(&EnclosedEnergy::closed(contact)),
+    }
 }
 
-impl Proved {
-    fn new(certified: &Certified<'_>, folds: &FoldProof, precision: Precision) -> Result<Self> {
-        let enclosed = Enclosed::new(certified, precision)?;
-        let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
-        let branches = branches.with_admissibility(certified.admissibility()?);
+/// A contact over enclosures, with what is asked of a state that is proved.
+pub(crate) struct Proved<'m> {
+    pub(crate) model: &'m Model<Interval>,
+    /// At the work of adhesion of the edge of the state.
+    contact: Contact<Interval>,
+    /// Where there are formulas of it, on a half-space.
+    profile: Option<Continuation>,
+    /// With two works of adhesion, the edge that is in equilibrium.
+    pub(crate) edge: Option<Edge>,
+    /// Whether the path runs between two works of adhesion.
+    is_between: bool,
+}
+
+impl<'m> Proved<'m> {
+    /// Of states in equilibrium at the work of adhesion of the scene, which may be that of one edge.
+    fn new(certified: &Certified<'_>, model: &'m Model<Interval>, precision: Precision) -> Result<Self> {
         let formulas = certified.formulas()?.filter(|_| certified.scene.medium.is_half_space());
         let profile = formulas.map(|formulas| formulas.continued(precision)).transpose()?;
-        Ok(Proved { contact: enclosed.value.contact(), enclosed, profile, branches })
+        Ok(Proved { contact: model.contact(), model, profile, edge: certified.scene.edge, is_between: false })
     }
 
-    /// The profile over sets of radii.
-    ///
-    /// # Errors
-    /// A profile that has no formulas, or another medium than a half-space.
-    pub(crate) fn profile(&self) -> Result<&Continuation> {
-        self.profile.as_ref().ok_or_else(without_energies)
+    /// Of a state between two works of adhesion: at one edge, or pinned.
+    fn between(self, edge: Option<Edge>) -> Self {
+        let contact = edge.map_or_else(|| self.model.contact(), |edge| self.model.at(edge).contact());
+        Proved { contact, edge, is_between: true, ..self }
     }
 
-    /// What `ask` finds out with the energies of the contact.
+    /// The fields of a state.
     ///
     /// # Errors
-    /// Errors of `ask`.
-    pub(crate) fn with_energy<T>(&self, ask: impl FnOnce(&EnclosedEnergy<'_>) -> Result<T>) -> Result<T> {
-        match &self.profile {
-            Some(profile) => ask(&EnclosedEnergy::new(&self.contact, profile)?),
-            None => ask(&EnclosedEnergy::closed(&self.contact)),
+    /// A profile that has no formulas, or another medium than a half-space; see [`EnclosedFields::new`].
+    pub(crate) fn fields(&self, state: &Equilibrium<Interval>) -> Result<EnclosedFields<'_>> {
+        let profile = self.profile.as_ref().ok_or_else(without_energies)?;
+        match (self.is_between, self.edge) {
+            (true, None) => EnclosedFields::pinned(&self.contact, profile, state),
+            _ => EnclosedFields::new(&self.contact, profile, state),
         }
     }
 
-    /// The equilibrium in which the path starts; `None` if the surfaces are apart.
-    fn first(&self, certified: &Certified<'_>, value: &Interval) -> Result<Option<Equilibrium<Interval>>> {
-        let start = self.enclosed.value.start(&certified.scene.start)?;
-        let path = match Path::follow(&self.branches, &start, std::slice::from_ref(value)) {
-            Err(Error::NoEquilibrium { .. }) => {
-                return Err(self.open("whether there is an equilibrium outside the radii of the proof"));
-            }
-            path => path?,
+    /// The energy of a state: between two works of adhesion what is stored, with the smaller one.
+    ///
+    /// # Errors
+    /// [`EnclosedEnergy::potential`].
+    pub(crate) fn potential(&self, state: &Equilibrium<Interval>) -> Result<Interval> {
+        let of = |contact: &Contact<Interval>| {
+            with_energies(contact, self.profile.as_ref(), |energy| {
+                energy.potential(&state.contact_radius, &state.indentation)
+            })
         };
-        self.branches.check(&path)?;
-        Ok(match path.events.first().map(|event| &event.after) {
-            Some(ContactState::Contact(rest)) if !rest.contact_radius.upper().is_zero() => Some(rest.clone()),
-            _ => None,
-        })
+        if self.is_between { of(&self.contact.at(Edge::Advancing)) } else { of(&self.contact) }
     }
 
-    fn open(&self, what: &'static str) -> Error {
-        Error::undecided(Quantity::ContactRadius, self.contact.modulus(), what)
+    /// dF/dd along the equilibria, or of an edge that is pinned at its radius.
+    ///
+    /// # Errors
+    /// [`EnclosedEnergy::stiffness`].
+    pub(crate) fn stiffness(&self, radius: &Interval) -> Result<Interval> {
+        match (self.is_between, self.edge) {
+            (true, None) => Ok(self.contact.stiffness(radius)),
+            _ => with_energies(&self.contact, self.profile.as_ref(), |energy| energy.stiffness(radius)),
+        }
     }
 }
 
@@ -154,28 +177,34 @@ pub(crate) fn described<T: Numbers<Enclosure>>(
     certified: &Certified<'_>,
     is_enclosed: bool,
     values: &[Literal],
-    describe: impl Fn(&Proved, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
+    describe: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
 ) -> Result<Option<Described<T>>>
 where
     Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
 {
     let scene = certified.scene;
     // Within a range that the scene names not all equilibria need be listed.
-    if scene.range.is_some() || scene.has_two_works() || !is_enclosed {
+    if scene.range.is_some() || !is_enclosed {
         return Ok(None);
+    }
+    if scene.has_two_works() {
+        return between_edges(certified, values, describe);
     }
     let Some(folds) = certified.fold_proof()? else { return Ok(None) };
     reached(decide_within(MOST_OF_INTEGRALS, start(certified.digits), certified.digits, |precision| {
-        let proved = Proved::new(certified, folds, precision)?;
+        let enclosed = Enclosed::new(certified, precision)?;
+        let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
+        let branches = branches.with_admissibility(certified.admissibility()?);
+        let proved = Proved::new(certified, &enclosed.value, precision)?;
         let one = |state: Equilibrium<Interval>, literal: &Literal| {
             let record = plain(&proved, state.clone(), literal, &scene.control);
             describe(&proved, &state, record)
         };
         let at = |literal: &Literal| {
-            let value = proved.enclosed.value.number(literal);
+            let value = enclosed.value.number(literal);
             let states = match values {
-                [] => proved.first(certified, &value)?.into_iter().collect(),
-                _ => proved.branches.equilibria(&value)?,
+                [] => first(&enclosed.value, &branches, scene, &value)?.into_iter().collect(),
+                _ => branches.equilibria(&value)?,
             };
             let records = states.into_iter().map(|state| one(state, literal)).collect::<Result<Vec<_>>>()?;
             Ok(AtValue::new(literal, records))
@@ -185,15 +214,70 @@ where
     }))
 }
 
+/// The equilibrium in which the path starts; `None` if the surfaces are apart.
+fn first(
+    model: &Model<Interval>,
+    branches: &ProvedBranches,
+    scene: &Scene,
+    value: &Interval,
+) -> Result<Option<Equilibrium<Interval>>> {
+    let path = match Path::follow(branches, &model.start(&scene.start)?, std::slice::from_ref(value)) {
+        Err(Error::NoEquilibrium { .. }) => {
+            let what = "whether there is an equilibrium outside the radii of the proof";
+            return Err(Error::undecided(Quantity::ContactRadius, value, what));
+        }
+        path => path?,
+    };
+    branches.check(&path)?;
+    Ok(path.events.first().and_then(|event| touching(&event.after)))
+}
+
+/// A contact that is no point.
+fn touching(state: &ContactState<Interval>) -> Option<Equilibrium<Interval>> {
+    state.contact().filter(|rest| !rest.contact_radius.upper().is_zero()).cloned()
+}
+
+/// The record of the state in which a path between two works of adhesion starts; `None` if it cannot be proved, or with values.
+///
+/// # Errors
+/// Errors of the transform; a value out of its domain.
+fn between_edges<T: Numbers<Enclosure>>(
+    certified: &Certified<'_>,
+    values: &[Literal],
+    describe: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
+) -> Result<Option<Described<T>>>
+where
+    Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
+{
+    let (scene, digits) = (certified.scene, certified.digits);
+    let start_of_path = scene.path.first().filter(|_| values.is_empty() && !scene.medium.is_periodic());
+    let Some(literal) = start_of_path else { return Ok(None) };
+    path::with_pair(certified, |pair| {
+        reached(decide_within(MOST_OF_INTEGRALS, start(digits), digits, |precision| {
+            path::with_path_between(pair, precision, |enclosed, branches, _| {
+                let model = &enclosed[1].value;
+                let edges = Edges::new(&model.contact(), branches[0], branches[1]);
+                let (edge, state) = edges.first(&model.start(&scene.start)?, &model.number(literal))?;
+                let record = touching(&state).map(|state| {
+                    let proved = Proved::new(pair.edges[1], model, precision)?.between(edge);
+                    let record = plain(&proved, state.clone(), literal, &scene.control);
+                    describe(&proved, &state, record)
+                });
+                Ok(vec![AtValue::new(literal, record.transpose()?.into_iter().collect())])
+            })
+        }))
+    })
+}
+
 /// A state with the exact value of the controlled quantity, which at a fold is that of the fold.
 fn plain(
-    proved: &Proved,
+    proved: &Proved<'_>,
     state: Equilibrium<Interval>,
     literal: &Literal,
     control: &Control<Literal>,
 ) -> PlainState<Enclosure> {
     let is_fold = state.stability == Stability::Neutral;
-    let mut record = proved.enclosed.value.plain(state).convert(Enclosure::from);
+    let mut record = proved.model.plain(state).convert(Enclosure::from);
     if !is_fold {
         controlled_exactly(control, literal, &mut record.indentation, &mut record.force);
     }

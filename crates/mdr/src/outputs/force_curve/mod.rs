@@ -10,7 +10,7 @@ use mdr_core::contact::Result;
 use mdr_core::contact::{Edge, Error};
 use mdr_numeric::equilibrium::SearchedBranches;
 
-use self::samples::{Branches, Course, Place};
+use self::samples::{Branches, Course, Places};
 use super::key::Key;
 #[cfg(feature = "mp")]
 use super::path;
@@ -245,6 +245,19 @@ fn of_both([advancing, receding]: [&States<'_, f64>; 2], points: usize) -> Resul
     of_states(receding, Branches::Between([&advancing.branches, &receding.branches]), points)
 }
 
+/// Samples at doubles that are evenly spaced.
+struct Even;
+
+impl Places<f64> for Even {
+    type Origin = ();
+
+    fn between(&self, [from, to]: [&f64; 2], [index, count]: [usize; 2]) -> Result<(f64, ())> {
+        Ok((from + (to - from) * (index as f64 / count as f64), ()))
+    }
+
+    fn of_event(&self, _: usize) {}
+}
+
 /// The force curve on branches in f64; the states are those of an edge that recedes.
 fn of_states(
     states: &States<'_, f64>,
@@ -253,9 +266,7 @@ fn of_states(
 ) -> Result<ForceCurve> {
     let course = Course { scene: states.scene, model: states.model, branches };
     let path = course.follow()?;
-    let samples = course.sampled(&path, points, |[from, to], [index, count]| {
-        Ok(Place { value: from + (to - from) * (index as f64 / count as f64), written: None })
-    })?;
+    let samples = course.sampled(&path, points, &Even)?.into_iter().map(|(sample, ())| sample).collect::<Vec<_>>();
     let known = |value: f64| Some(Value::Known(value));
     let summary = CurveSummary {
         pull_off_force: summary::pull_off(&path.events).and_then(known),
@@ -263,7 +274,6 @@ fn of_states(
         minimum_force: summary::minimum(&course, &path, &samples)?,
         hysteresis: summary::hysteresis(&course, &path)?,
     };
-    let samples = samples.into_iter().map(|sampled| sampled.sample).collect();
     let numbers = CurveNumbers { samples, summary }.convert(Number::F64);
     Ok(ForceCurve::new(Promise::F64, numbers))
 }

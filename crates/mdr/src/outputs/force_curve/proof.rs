@@ -2,7 +2,7 @@
 
 use std::cell::{Cell, RefCell};
 
-use mdr_core::contact::{Control, Error, Fold, FoldKind, Quantity, Result};
+use mdr_core::contact::{Control, Error, EvaluationCounter, Fold, FoldKind, Quantity, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
@@ -10,7 +10,7 @@ use mdr_numeric::path::{Event, EventKind, Path};
 use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
-use super::samples::{Branches, Course, Place, Sampled};
+use super::samples::{Branches, Course, Places};
 use super::summary::{jump_in, passes, pull_off, stretches};
 use super::{CurveNumbers, CurveSummary, ForceCurve, ForceSample};
 use crate::answer::record::{Numbers, Row};
@@ -101,16 +101,9 @@ impl Curve<'_, '_> {
         enclosed: [&Enclosed; 2],
         path: &Path<Interval>,
     ) -> Result<CurveNumbers<Enclosure>> {
-        let spent = || self.certified.counts[0].spent();
-        let (before, places) = (spent(), Cell::new(0_u64));
-        let samples = course.sampled(path, self.points, |ends, [index, count]| {
-            let written = between(ends, [index, count])?;
-            places.set(places.get() + 1);
-            if places.get() == FIRST && (spent() - before) / FIRST * self.points as u64 > MOST {
-                return Err(too_much_work(course));
-            }
-            Ok(Place { value: course.model.number(&written), written: Some(written) })
-        })?;
+        let counter = &self.certified.counts[0];
+        let decimals = Decimals { course, counter, before: counter.spent(), count: Cell::new(0), points: self.points };
+        let samples = course.sampled(path, self.points, &decimals)?;
         let known = |value: Interval| Some(Value::Known(Enclosure::from(value)));
         let minimum = minimum(course, enclosed, path)?;
         let summary = CurveSummary {
@@ -119,16 +112,50 @@ impl Curve<'_, '_> {
             minimum_force: minimum.and_then(known),
             hysteresis: None,
         };
-        *self.is_chosen.borrow_mut() = samples.iter().map(|sampled| sampled.event.is_none()).collect();
+        *self.is_chosen.borrow_mut() = samples.iter().map(|(_, origin)| matches!(origin, Origin::Chosen(_))).collect();
         let written = written(course, path);
-        let samples = samples.into_iter().map(|sampled| with_exact(course, path, &written, sampled)).collect();
+        let exact = |(sample, origin)| with_exact(course, path, &written, sample, origin);
+        let samples = samples.into_iter().map(exact).collect();
         Ok(CurveNumbers { samples, summary })
     }
 }
 
-fn too_much_work(course: &Course<'_, Interval, ProvedBranches>) -> Error {
-    let (from, to) = ("the first sample".to_owned(), "the last".to_owned());
-    Error::Unproved { quantity: course.model.control().quantity(), from, to, remedy: "ask for fewer samples" }
+/// Where a sample is from.
+enum Origin {
+    /// Its value was chosen, as a decimal.
+    Chosen(Literal),
+    /// The state of an event, by its number.
+    Event(usize),
+}
+
+/// Samples at short decimals, as long as they take no more work than they may.
+struct Decimals<'c> {
+    course: &'c Course<'c, Interval, ProvedBranches>,
+    counter: &'c EvaluationCounter,
+    /// What was spent before.
+    before: u64,
+    count: Cell<u64>,
+    points: usize,
+}
+
+impl Places<Interval> for Decimals<'_> {
+    type Origin = Origin;
+
+    fn between(&self, ends: [&Interval; 2], share: [usize; 2]) -> Result<(Interval, Origin)> {
+        let written = between(ends, share)?;
+        self.count.set(self.count.get() + 1);
+        let spent = self.counter.spent() - self.before;
+        if self.count.get() == FIRST && (spent / FIRST).saturating_mul(self.points as u64) > MOST {
+            let (from, to) = ("the first sample".to_owned(), "the last".to_owned());
+            let quantity = self.course.model.control().quantity();
+            return Err(Error::Unproved { quantity, from, to, remedy: "ask for fewer samples" });
+        }
+        Ok((self.course.model.number(&written), Origin::Chosen(written)))
+    }
+
+    fn of_event(&self, number: usize) -> Origin {
+        Origin::Event(number)
+    }
 }
 
 /// The number at a share of the way between two others, as a decimal that is by a thousand times finer than the steps.
@@ -163,11 +190,13 @@ fn with_exact(
     course: &Course<'_, Interval, ProvedBranches>,
     path: &Path<Interval>,
     values: &[Option<Literal>],
-    sampled: Sampled<Interval>,
+    sample: ForceSample<Interval>,
+    origin: Origin,
 ) -> ForceSample<Enclosure> {
-    let Sampled { sample, written, event } = sampled;
-    let event = event.map(|number| (number, &path.events[number]));
-    let written = written.or_else(|| event.and_then(|(number, _)| values[number].clone()));
+    let (written, event) = match origin {
+        Origin::Chosen(literal) => (Some(literal), None),
+        Origin::Event(number) => (values[number].clone(), Some(&path.events[number])),
+    };
     let mut sample = sample.convert(Enclosure::from);
     let is_apart = sample.contact_radius.is_none();
     if let Some(literal) = written {
@@ -184,7 +213,7 @@ fn with_exact(
             _ => {}
         }
     }
-    let breaks = event.and_then(|(_, event)| event.fold.and(event.before.contact()));
+    let breaks = event.and_then(|event| event.fold.and(event.before.contact()));
     if breaks.is_some_and(|fold| course.scene.breaks_at_zero_depth(&fold.contact_radius)) {
         sample.indentation = sample.indentation.map(|_| exactly(&0.into()));
     }

@@ -3,7 +3,6 @@
 use std::cmp::Ordering;
 
 use mdr_core::contact::{Control, Error, Fold, FoldKind, Quantity, Result};
-use mdr_core::number::Literal;
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::path::{ContactState, Edges, EventKind, Path};
 
@@ -49,19 +48,15 @@ impl<'a, B> Branches<'a, B> {
     }
 }
 
-/// A value of the controlled quantity between those of two events.
-pub(super) struct Place<R> {
-    pub(super) value: R,
-    /// The value as it is written, where it is chosen as a decimal.
-    pub(super) written: Option<Literal>,
-}
+/// Where the samples between two events are, and what is kept of where each is from.
+pub(super) trait Places<R> {
+    type Origin;
 
-/// A sample, and where it is from.
-pub(super) struct Sampled<R: SceneReal> {
-    pub(super) sample: ForceSample<R>,
-    pub(super) written: Option<Literal>,
-    /// The event whose state it is, by its number.
-    pub(super) event: Option<usize>,
+    /// The value of the controlled quantity at a share of the way between two others: so many steps of so many.
+    fn between(&self, ends: [&R; 2], share: [usize; 2]) -> Result<(R, Self::Origin)>;
+
+    /// The origin of a sample that is the state of an event, by its number.
+    fn of_event(&self, number: usize) -> Self::Origin;
 }
 
 impl<'a, R: SceneReal, B: EquilibriumBranches<R>> Course<'a, R, B> {
@@ -76,16 +71,16 @@ impl<'a, R: SceneReal, B: EquilibriumBranches<R>> Course<'a, R, B> {
         }
     }
 
-    /// The samples of a path, about so many; `choose` takes the value at a share between the values of two events.
+    /// The samples of a path, about so many, each with its origin.
     ///
     /// # Errors
     /// Errors of the transform; [`Error::Undecided`] if enclosures do not decide the order of two values or radii.
-    pub(super) fn sampled(
+    pub(super) fn sampled<P: Places<R>>(
         &self,
         path: &Path<R>,
         points: usize,
-        choose: impl Fn([&R; 2], [usize; 2]) -> Result<Place<R>>,
-    ) -> Result<Vec<Sampled<R>>> {
+        places: &P,
+    ) -> Result<Vec<(ForceSample<R>, P::Origin)>> {
         let control = self.model.control();
         let has_depth = self.model.contact().medium().has_depth();
         let ways = path.events.windows(2).map(|pair| (pair[1].value.clone() - &pair[0].value).abs());
@@ -112,14 +107,13 @@ impl<'a, R: SceneReal, B: EquilibriumBranches<R>> Course<'a, R, B> {
             // The sizes of the last contacts, from which the next is guessed.
             let mut sizes: Vec<R> = Vec::new();
             for index in 0..=count {
-                let of_event = |value: &R| Place { value: value.clone(), written: None };
-                let (place, state) = match index {
-                    0 => (of_event(&from.value), Ok(from.after.clone())),
-                    _ if index == count => (of_event(&to.value), Ok(to.before.clone())),
+                let (value, origin, state) = match index {
+                    0 => (from.value.clone(), places.of_event(number), Ok(from.after.clone())),
+                    _ if index == count => (to.value.clone(), places.of_event(number + 1), Ok(to.before.clone())),
                     _ => {
-                        let place = choose([&from.value, &to.value], [index, count])?;
-                        let state = lack(self.between([&from.after, &to.before], &place.value, &sizes))?;
-                        (place, state)
+                        let (value, origin) = places.between([&from.value, &to.value], [index, count])?;
+                        let state = lack(self.between([&from.after, &to.before], &value, &sizes))?;
+                        (value, origin, state)
                     }
                 };
                 if let Some(state) = state.as_ref().ok().and_then(ContactState::contact) {
@@ -129,12 +123,10 @@ impl<'a, R: SceneReal, B: EquilibriumBranches<R>> Course<'a, R, B> {
                     ContactState::Contact(state) => ContactState::Contact(self.model.shown(state)),
                     state => state,
                 };
-                let sample = sample(control, segment, direction, &place.value, state.map(seen))?;
-                let event = [(0, number), (count, number + 1)].into_iter().find(|(end, _)| *end == index);
-                samples.extend(sample.map(|sample| Sampled {
-                    sample: ForceSample { indentation: sample.indentation.filter(|_| has_depth), ..sample },
-                    written: place.written,
-                    event: event.map(|(_, number)| number),
+                let sample = sample(control, segment, direction, &value, state.map(seen))?;
+                samples.extend(sample.map(|sample| {
+                    let indentation = sample.indentation.filter(|_| has_depth);
+                    (ForceSample { indentation, ..sample }, origin)
                 }));
             }
         }

@@ -8,7 +8,8 @@ use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{self, SearchQuality};
 use mdr_numeric::path::{Dissipation, EdgeEnergies, Event, EventKind, Path};
 
-use super::samples::{Branches, Course, Sampled};
+use super::ForceSample;
+use super::samples::{Branches, Course};
 use crate::answer::Value;
 use crate::outputs::path::{beyond_noise, changes};
 use crate::solve::model::SceneReal;
@@ -105,10 +106,10 @@ fn order<R: SceneReal>(one: &R, other: &R) -> Option<i8> {
 pub(super) fn minimum(
     course: &Course<'_, f64, SearchedBranches<f64>>,
     path: &Path<f64>,
-    samples: &[Sampled<f64>],
+    samples: &[ForceSample<f64>],
 ) -> Result<Option<Value<f64>>> {
     // Forces in between are no less than at an end or a fold.
-    let forces = samples.iter().filter_map(|sampled| match sampled.sample.force {
+    let forces = samples.iter().filter_map(|sample| match sample.force {
         Value::Known(force) => Some(force),
         _ => None,
     });
