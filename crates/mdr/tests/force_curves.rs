@@ -260,3 +260,31 @@ fn flats_on_other_media() {
     assert_eq!(curve.samples.promise, Promise::Certified);
     assert!(curve.samples.items.len() > 20 && curve.samples.items.iter().all(|sample| sample.force.to_f64().is_some()));
 }
+
+/// A path may begin where the surfaces touch, so that two events are at one value. The force on a flat between two works of adhesion that is
+/// brought to nothing is exactly that, and so is its depth: no precision decides it, and the curve is that of f64.
+#[test]
+fn events_may_be_at_one_value() {
+    let ways = [
+        "kind = \"indentation\"\npath = [0, 0.02, -0.1]",
+        "kind = \"machine\"\nstiffness = 0.1\npath = [0, 0.02, -0.1]",
+        "kind = \"force\"\npath = [0, 1e-3, 0, -1]",
+    ];
+    let works = ["1e-4", "{ advancing = 3e-5, receding = 1e-4 }", "{ advancing = 0, receding = 1e-4 }"];
+    for (way, work) in ways.iter().flat_map(|way| works.map(|work| (way, work))) {
+        let control = format!("{way}\nstart = \"detached\"");
+        for profile in [
+            "kind = \"paraboloid\"\nradius = 1",
+            "kind = \"sphere\"\nradius = 1",
+            "kind = \"flat-punch\"\nradius = 0.1",
+        ] {
+            let answer = certified(work, profile, &control, "want = [\"force-curve\"]\npoints = 20");
+            let curve = answer.force_curve().expect("wanted");
+            let is_known = |sample: &ForceSample| sample.force.to_f64().is_some();
+            assert!(curve.samples.items.iter().all(is_known), "{profile} {control} {work}");
+            let is_open = profile.contains("flat") && way.contains("force") && work.contains("advancing");
+            let expected = if is_open { Promise::F64 } else { Promise::Certified };
+            assert_eq!(curve.samples.promise, expected, "{profile} {control} {work}");
+        }
+    }
+}

@@ -255,7 +255,7 @@ impl Places<f64> for Even {
         Ok((from + (to - from) * (index as f64 / count as f64), ()))
     }
 
-    fn of_event(&self, _: usize) {}
+    fn of_event(&self, _: usize, _: bool) {}
 }
 
 /// The force curve on branches in f64; the states are those of an edge that recedes.

@@ -6,7 +6,7 @@ use mdr_core::contact::{Control, Error, EvaluationCounter, Fold, FoldKind, Quant
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::path::{Event, EventKind, Path};
+use mdr_numeric::path::{ContactState, Event, EventKind, Path};
 use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
@@ -81,8 +81,8 @@ struct Curve<'c, 's> {
 }
 
 impl Curve<'_, '_> {
-    /// The digits of its numbers; a sample whose place was chosen, and which has a number that no precision decides, such as a force that is
-    /// exactly nothing, is left out.
+    /// The digits of its numbers. A sample whose place was chosen, and which has a number that no precision decides, such as a force that is
+    /// exactly nothing, is left out; `None` if another has.
     fn decided(
         &self,
         numbers: impl FnMut(Precision) -> Result<CurveNumbers<Enclosure>>,
@@ -91,7 +91,9 @@ impl Curve<'_, '_> {
         let is_open = |sample: &ForceSample| sample.rows().iter().any(Row::is_open);
         let samples = numbers.samples.into_iter().zip(self.is_chosen.take());
         let samples = samples.filter(|(sample, is_chosen)| !(*is_chosen && is_open(sample)));
-        Ok(Some(CurveNumbers { samples: samples.map(|(sample, _)| sample).collect(), summary: numbers.summary }))
+        let samples: Vec<ForceSample> = samples.map(|(sample, _)| sample).collect();
+        let has_open = samples.iter().any(is_open) || numbers.summary.rows().iter().any(Row::is_open);
+        Ok((!has_open).then_some(CurveNumbers { samples, summary: numbers.summary }))
     }
 
     /// The samples and the summary, without hysteresis, of a path.
@@ -122,10 +124,10 @@ impl Curve<'_, '_> {
 
 /// Where a sample is from.
 enum Origin {
-    /// Its value was chosen, as a decimal.
-    Chosen(Literal),
-    /// The state of an event, by its number.
-    Event(usize),
+    /// Its value was chosen, as a decimal; between two events at one value there is no choice.
+    Chosen(Option<Literal>),
+    /// The state after an event, or before it, by its number.
+    Event { number: usize, is_before: bool },
 }
 
 /// Samples at short decimals, as long as they take no more work than they may.
@@ -142,33 +144,37 @@ impl Places<Interval> for Decimals<'_> {
     type Origin = Origin;
 
     fn between(&self, ends: [&Interval; 2], share: [usize; 2]) -> Result<(Interval, Origin)> {
-        let written = between(ends, share)?;
+        if ends[0].is_same(ends[1]) {
+            return Ok((ends[0].clone(), Origin::Chosen(None)));
+        }
+        let quantity = self.course.model.control().quantity();
+        let written = between(quantity, ends, share)?;
         self.count.set(self.count.get() + 1);
         let spent = self.counter.spent() - self.before;
         if self.count.get() == FIRST && (spent / FIRST).saturating_mul(self.points as u64) > MOST {
             let (from, to) = ("the first sample".to_owned(), "the last".to_owned());
-            let quantity = self.course.model.control().quantity();
             return Err(Error::Unproved { quantity, from, to, remedy: "ask for fewer samples" });
         }
-        Ok((self.course.model.number(&written), Origin::Chosen(written)))
+        Ok((self.course.model.number(&written), Origin::Chosen(Some(written))))
     }
 
-    fn of_event(&self, number: usize) -> Origin {
-        Origin::Event(number)
+    fn of_event(&self, number: usize, is_before: bool) -> Origin {
+        Origin::Event { number, is_before }
     }
 }
 
 /// The number at a share of the way between two others, as a decimal that is by a thousand times finer than the steps.
-fn between([from, to]: [&Interval; 2], [index, count]: [usize; 2]) -> Result<Literal> {
+fn between(quantity: Quantity, [from, to]: [&Interval; 2], [index, count]: [usize; 2]) -> Result<Literal> {
     let [from, to] = [from.mid(), to.mid()];
     let bits = from.prec();
     let step = Float::with_val(bits, &to - &from) / count as u64;
     let power = Float::with_val(bits, step.abs_ref()).log10().floor().to_f64() - 3.0;
     let unit = Float::with_val(bits, 10u32).ln() * power;
-    let value = (step * index as u64 + from) / unit.exp();
+    let value = (step * index as u64 + &from) / unit.exp();
     let whole = value.round().to_integer().unwrap_or_default();
     let text = format!("{whole}e{power:.0}");
-    text.parse().map_err(|_| Error::domain(Quantity::Indentation, &whole.to_f64(), "a decimal"))
+    let remedy = "ask for fewer samples";
+    text.parse().map_err(|_| Error::Unproved { quantity, from: from.to_string(), to: to.to_string(), remedy })
 }
 
 /// The value of each event as it is written in the scene, where it is.
@@ -194,8 +200,10 @@ fn with_exact(
     origin: Origin,
 ) -> ForceSample<Enclosure> {
     let (written, event) = match origin {
-        Origin::Chosen(literal) => (Some(literal), None),
-        Origin::Event(number) => (values[number].clone(), Some(&path.events[number])),
+        Origin::Chosen(literal) => (literal, None),
+        Origin::Event { number, is_before } => {
+            (values[number].clone(), Some(&path.events[number]).filter(|_| is_before))
+        }
     };
     let mut sample = sample.convert(Enclosure::from);
     let is_apart = sample.contact_radius.is_none();
@@ -229,13 +237,12 @@ fn minimum(
     enclosed: [&Enclosed; 2],
     path: &Path<Interval>,
 ) -> Result<Option<Interval>> {
-    let force = |state: &mdr_numeric::path::ContactState<Interval>, value: &Interval| {
-        let [_, _, force] = path::quantities(course.model.control(), state, value);
-        match force {
-            Some(Value::Known(force)) => Some(force),
+    let force =
+        |state: &ContactState<Interval>, value: &Interval| match path::quantities(course.model.control(), state, value)
+        {
+            [_, _, Some(Value::Known(force))] => Some(force),
             _ => None,
-        }
-    };
+        };
     let ends = path
         .events
         .windows(2)

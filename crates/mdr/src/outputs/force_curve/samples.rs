@@ -55,8 +55,8 @@ pub(super) trait Places<R> {
     /// The value of the controlled quantity at a share of the way between two others: so many steps of so many.
     fn between(&self, ends: [&R; 2], share: [usize; 2]) -> Result<(R, Self::Origin)>;
 
-    /// The origin of a sample that is the state of an event, by its number.
-    fn of_event(&self, number: usize) -> Self::Origin;
+    /// The origin of a sample that is the state after an event, or before it, by its number.
+    fn of_event(&self, number: usize, is_before: bool) -> Self::Origin;
 }
 
 impl<'a, R: SceneReal, B: EquilibriumBranches<R>> Course<'a, R, B> {
@@ -108,8 +108,8 @@ impl<'a, R: SceneReal, B: EquilibriumBranches<R>> Course<'a, R, B> {
             let mut sizes: Vec<R> = Vec::new();
             for index in 0..=count {
                 let (value, origin, state) = match index {
-                    0 => (from.value.clone(), places.of_event(number), Ok(from.after.clone())),
-                    _ if index == count => (to.value.clone(), places.of_event(number + 1), Ok(to.before.clone())),
+                    0 => (from.value.clone(), places.of_event(number, false), Ok(from.after.clone())),
+                    _ if index == count => (to.value.clone(), places.of_event(number + 1, true), Ok(to.before.clone())),
                     _ => {
                         let (value, origin) = places.between([&from.value, &to.value], [index, count])?;
                         let state = lack(self.between([&from.after, &to.before], &value, &sizes))?;
