@@ -50,8 +50,8 @@ impl Objective<'_> {
             evaluation.of_part[leg[0].part as usize] = index;
             let contact = evaluation.contact(observation, index);
             let (labels, feet) = self.label_leg(&contact, &evaluation.sheets[index].arcs, leg, first)?;
-            follow(&mut evaluation.labels, labels);
-            follow(&mut evaluation.feet, feet);
+            append(&mut evaluation.labels, labels);
+            append(&mut evaluation.feet, feet);
             first += leg.len();
         }
         Ok(())
@@ -140,6 +140,6 @@ impl Objective<'_> {
 }
 
 /// Appends a list; the first is taken as it is, since a list of all rows of a long record is large.
-fn follow<T>(list: &mut Vec<T>, more: Vec<T>) {
+fn append<T>(list: &mut Vec<T>, more: Vec<T>) {
     if list.is_empty() { *list = more } else { list.extend(more) }
 }

@@ -32,8 +32,8 @@ pub trait EquilibriumBranches<R: Real> {
     /// Errors of the transform; [`Error::Undecided`] if the arithmetic does not decide.
     fn on_branch(&self, branch: usize, value: &R) -> Result<Option<Equilibrium<R>>>;
 
-    /// The equilibrium as [`on_branch`](EquilibriumBranches::on_branch) finds it, looked for first between two radii of the branch or beside
-    /// them, where it is expected.
+    /// The equilibrium as [`on_branch`](EquilibriumBranches::on_branch) finds it, looked for first near a radius at which it is expected;
+    /// the second radius is at the distance of a first step from that one.
     ///
     /// # Errors
     /// Errors of [`on_branch`](EquilibriumBranches::on_branch).

@@ -5,9 +5,9 @@ mod proof;
 mod samples;
 mod summary;
 
-use mdr_core::contact::Result;
 #[cfg(feature = "mp")]
-use mdr_core::contact::{Edge, Error};
+use mdr_core::contact::Error;
+use mdr_core::contact::Result;
 use mdr_numeric::equilibrium::SearchedBranches;
 
 use self::samples::{Branches, Course, Places};
@@ -230,14 +230,12 @@ fn in_doubles(certified: &Certified<'_>, points: usize) -> Result<ForceCurve> {
 /// The force curve between the branches of an advancing and of a receding edge, in f64.
 #[cfg(feature = "mp")]
 fn between_edges(certified: &Certified<'_>, points: usize) -> Result<ForceCurve> {
-    let scenes = [Edge::Advancing, Edge::Receding].map(|edge| certified.scene.at(edge));
-    let parts = scenes.each_ref().map(|scene| Certified::new(scene, certified.digits, certified.counts));
-    let [(one, folds), (other, others)] = [parts[0].in_doubles()?, parts[1].in_doubles()?];
-    let states = [
-        States::new(&scenes[0], &one, folds, parts[0].admissibility()?),
-        States::new(&scenes[1], &other, others, parts[1].admissibility()?),
-    ];
-    of_both([&states[0], &states[1]], points)
+    path::with_edges(certified, |edges| {
+        let [(one, folds), (other, others)] = [edges[0].in_doubles()?, edges[1].in_doubles()?];
+        let advancing = States::new(edges[0].scene, &one, folds, edges[0].admissibility()?);
+        let receding = States::new(edges[1].scene, &other, others, edges[1].admissibility()?);
+        of_both([&advancing, &receding], points)
+    })
 }
 
 /// The force curve between the states of an advancing and of a receding edge, in f64.

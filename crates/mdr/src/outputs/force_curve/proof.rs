@@ -6,7 +6,7 @@ use mdr_core::contact::{Control, Error, EvaluationCounter, Fold, FoldKind, Quant
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::path::{ContactState, Event, EventKind, Path};
+use mdr_numeric::path::{ContactState, Path};
 use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
@@ -15,7 +15,7 @@ use super::summary::{jump_in, passes, pull_off, stretches};
 use super::{CurveNumbers, CurveSummary, ForceCurve, ForceSample};
 use crate::answer::record::{Numbers, Row};
 use crate::answer::{Number, Promise, Value};
-use crate::outputs::path::{self, Dissipation, Energies, is_arrival};
+use crate::outputs::path::{self, Dissipation, Energies};
 use crate::solve::certified::Certified;
 use crate::solve::digits::decide;
 use crate::solve::proof::{Enclosed, budget_of_folds, decided, exactly};
@@ -82,7 +82,7 @@ struct Curve<'c, 's> {
 
 impl Curve<'_, '_> {
     /// The digits of its numbers. A sample whose place was chosen, and which has a number that no precision decides, such as a force that is
-    /// exactly nothing, is left out; `None` if another has.
+    /// exactly zero, is left out; `None` if another has.
     fn decided(
         &self,
         numbers: impl FnMut(Precision) -> Result<CurveNumbers<Enclosure>>,
@@ -115,8 +115,8 @@ impl Curve<'_, '_> {
             hysteresis: None,
         };
         *self.is_chosen.borrow_mut() = samples.iter().map(|(_, origin)| matches!(origin, Origin::Chosen(_))).collect();
-        let written = written(course, path);
-        let exact = |(sample, origin)| with_exact(course, path, &written, sample, origin);
+        let written = path::written(&course.scene.path, path);
+        let exact = |(sample, origin)| with_exact(course, path, &written, sample, &origin);
         let samples = samples.into_iter().map(exact).collect();
         Ok(CurveNumbers { samples, summary })
     }
@@ -177,52 +177,35 @@ fn between(quantity: Quantity, [from, to]: [&Interval; 2], [index, count]: [usiz
     text.parse().map_err(|_| Error::Unproved { quantity, from: from.to_string(), to: to.to_string(), remedy })
 }
 
-/// The value of each event as it is written in the scene, where it is.
-fn written(course: &Course<'_, Interval, ProvedBranches>, path: &Path<Interval>) -> Vec<Option<Literal>> {
-    let mut way = course.scene.path.iter();
-    let mut held = None;
-    let of_event = |event: &Event<Interval>| {
-        if is_arrival(event.kind) {
-            held = way.next();
-        }
-        // An edge stops at the way point at which the controlled quantity turns.
-        held.filter(|_| is_arrival(event.kind) || event.kind == EventKind::Pinned).cloned()
-    };
-    path.events.iter().map(of_event).collect()
-}
-
-/// A sample with the numbers that are exact: the controlled quantity where it is written, and no depth where the contact breaks at none.
+/// A sample with the numbers that are exact: the controlled quantity where it is written, and the depth where the contact breaks at zero.
 fn with_exact(
     course: &Course<'_, Interval, ProvedBranches>,
     path: &Path<Interval>,
-    values: &[Option<Literal>],
+    values: &[Option<&Literal>],
     sample: ForceSample<Interval>,
-    origin: Origin,
+    origin: &Origin,
 ) -> ForceSample<Enclosure> {
     let (written, event) = match origin {
-        Origin::Chosen(literal) => (literal, None),
-        Origin::Event { number, is_before } => {
-            (values[number].clone(), Some(&path.events[number]).filter(|_| is_before))
-        }
+        Origin::Chosen(literal) => (literal.as_ref(), None),
+        Origin::Event { number, is_before } => (values[*number], Some(&path.events[*number]).filter(|_| *is_before)),
     };
     let mut sample = sample.convert(Enclosure::from);
     let is_apart = sample.contact_radius.is_none();
     if let Some(literal) = written {
         let put = |slot: &mut Option<Value<Enclosure>>| {
             if let Some(Value::Known(_)) = slot {
-                *slot = Some(exactly(&literal));
+                *slot = Some(exactly(literal));
             }
         };
         put(&mut sample.position.0);
         match course.scene.control {
             Control::Indentation => put(&mut sample.indentation),
             Control::Machine { .. } if is_apart => put(&mut sample.indentation),
-            Control::Force if !is_apart => sample.force = exactly(&literal),
+            Control::Force if !is_apart => sample.force = exactly(literal),
             _ => {}
         }
     }
-    let breaks = event.and_then(|event| event.fold.and(event.before.contact()));
-    if breaks.is_some_and(|fold| course.scene.breaks_at_zero_depth(&fold.contact_radius)) {
+    if event.is_some_and(|event| path::breaks_at_zero_depth(course.scene, event)) {
         sample.indentation = sample.indentation.map(|_| exactly(&0.into()));
     }
     sample
@@ -247,7 +230,7 @@ fn minimum(
         .events
         .windows(2)
         .flat_map(|pair| [force(&pair[0].after, &pair[0].value), force(&pair[1].before, &pair[1].value)]);
-    let mut least = ends.flatten().reduce(smaller);
+    let mut least = ends.flatten().reduce(|one, other| one.lesser(&other));
     if matches!(course.model.control(), Control::Force) {
         return Ok(least);
     }
@@ -257,25 +240,13 @@ fn minimum(
             let range = course.branches.moving(grows).range();
             let budget = budget_of_folds(course.scene);
             let (found, possible) = at_folds(enclosed, range, path, stretches, budget)?;
-            least = found.into_iter().chain(least).reduce(smaller);
+            least = found.into_iter().chain(least).reduce(|one, other| one.lesser(&other));
             for other in possible {
                 least = least.map(|least| down_to(least, &other));
             }
         }
     }
     Ok(least)
-}
-
-/// The smaller of two numbers.
-fn smaller(one: Interval, other: Interval) -> Interval {
-    match one.partial_cmp(&other) {
-        Some(order) if order.is_gt() => other,
-        Some(_) => one,
-        None => {
-            let least = |one: &Float, other: &Float| if one < other { one.clone() } else { other.clone() };
-            Interval::new(least(one.lower(), other.lower()), least(one.upper(), other.upper()))
-        }
-    }
 }
 
 /// A number with what lies between it and another that may be in its place if it is smaller.
@@ -303,7 +274,7 @@ fn at_folds(
         let is_at_edge = edge.as_ref().is_some_and(|edge| edge.is_same(contact_radius));
         match passes(contact_radius, stretches, is_at_edge, Interval::is_same) {
             Some(false) => {}
-            Some(true) => least = Some(least.map_or_else(|| force.clone(), |least| smaller(least, force.clone()))),
+            Some(true) => least = Some(least.map_or_else(|| force.clone(), |least| least.lesser(force))),
             None => possible.push(force.clone()),
         }
     }

@@ -6,12 +6,12 @@ use mdr_core::number::{Interval, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
-use mdr_numeric::path::{EventKind, Path};
+use mdr_numeric::path::Path;
 use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
 use super::proof::{checked, set_exact, started};
-use super::{LoadingPath, PathNumbers, edges, edges_energies, events, is_arrival};
+use super::{LoadingPath, PathNumbers, edges, edges_energies, events};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise};
 use crate::solve::certified::Certified;
@@ -140,16 +140,7 @@ pub(super) fn path(pair: &Pair<'_, '_>) -> Result<Option<(LoadingPath, Followed)
         let followed = last.insert(Followed::new(pair, precision)?);
         let events = events::events(&followed.control, &followed.shown, &*receding.admissibility()?);
         let mut events = events.convert(Enclosure::from);
-        let (mut way, mut held) = (scene.path.iter(), None);
-        for (record, event) in events.iter_mut().zip(&followed.path.events) {
-            if is_arrival(event.kind) {
-                held = way.next();
-            }
-            // An edge stops at the way point at which the controlled quantity turns.
-            if let Some(literal) = held.filter(|_| is_arrival(event.kind) || event.kind == EventKind::Pinned) {
-                set_exact(record, event, &scene.control, literal);
-            }
-        }
+        set_exact(&mut events, &followed.path, scene);
         Ok(events)
     });
     let why = "every decision on the path is certain, and the folds of both edges are proved to be all";

@@ -45,7 +45,7 @@ use crate::solve::{
 #[cfg(feature = "mp")]
 pub(crate) use edges_proof::{Pair, with_path as with_path_between};
 #[cfg(feature = "mp")]
-pub(crate) use proof::with_path;
+pub(crate) use proof::{breaks_at_zero_depth, with_path, written};
 #[cfg(feature = "mp")]
 pub(crate) use start::refuse_at_once;
 
@@ -194,9 +194,31 @@ impl LoadingPath {
         LoadingPath { events: List::new(promise, events).complete(complete), balance, energy: None }
     }
 
+    /// The path with these of its energies, which are those of `followed`: by enclosures, else at two precisions.
+    ///
+    /// # Errors
+    /// Errors of `enclosed`.
+    #[cfg(feature = "mp")]
+    fn with_energies<F>(
+        self,
+        energies: Energies,
+        mut followed: F,
+        enclosed: impl FnOnce(&mut F) -> Result<Option<PathNumbers<Number>>>,
+        estimated: impl FnOnce(F) -> Result<PathNumbers<Number>>,
+    ) -> Result<Self> {
+        if energies == Energies::None {
+            return Ok(self);
+        }
+        Ok(match enclosed(&mut followed)? {
+            Some(proved) => self.with_proved_energy_of(proved),
+            None if energies == Energies::Proved => self,
+            None => self.with_estimated_energy_of(estimated(followed)),
+        })
+    }
+
     /// Takes the energies from another computation of the same path, with the same promise.
     #[cfg(feature = "mp")]
-    pub(crate) fn with_proved_energy_of(self, other: PathNumbers<Number>) -> Self {
+    fn with_proved_energy_of(self, other: PathNumbers<Number>) -> Self {
         LoadingPath { energy: None, ..self.with_energy_of(Promise::Certified, other) }
     }
 
@@ -211,7 +233,7 @@ impl LoadingPath {
 
     /// Takes the energies from another computation of the same path.
     #[cfg(feature = "mp")]
-    pub(crate) fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
+    fn with_energy_of(mut self, promise: Promise, other: PathNumbers<Number>) -> Self {
         for (event, other) in self.events.items.iter_mut().zip(other.events) {
             (event.dissipated, event.hysteresis) = (other.dissipated, other.hysteresis);
         }
@@ -435,17 +457,9 @@ pub(crate) enum Energies {
 /// No stable equilibrium at the first way point; errors of the transform.
 #[cfg(feature = "mp")]
 pub(crate) fn proved(certified: &Certified<'_>, folds: &FoldProof, energies: Energies) -> Result<Option<LoadingPath>> {
-    let Some((proved, mut followed)) = proof::path(certified, folds)? else { return Ok(None) };
-    if energies == Energies::None {
-        return Ok(Some(proved));
-    }
-    if let Some(path) = followed.proved_energy(certified, folds)? {
-        return Ok(Some(proved.with_proved_energy_of(path)));
-    }
-    if energies == Energies::Proved {
-        return Ok(Some(proved));
-    }
-    Ok(Some(proved.with_estimated_energy_of(followed.with_energy(certified, folds))))
+    let Some((path, followed)) = proof::path(certified, folds)? else { return Ok(None) };
+    let enclosed = |followed: &mut proof::Followed| followed.proved_energy(certified, folds);
+    path.with_energies(energies, followed, enclosed, |followed| followed.with_energy(certified, folds)).map(Some)
 }
 
 /// The path of a search in f64, of one edge or between two.
@@ -492,17 +506,9 @@ pub(crate) fn with_pair<T>(
 /// No stable equilibrium at the first way point; errors of the transform.
 #[cfg(feature = "mp")]
 pub(crate) fn proved_between_edges(pair: &Pair<'_, '_>, energies: Energies) -> Result<Option<LoadingPath>> {
-    let Some((proved, mut followed)) = edges_proof::path(pair)? else { return Ok(None) };
-    if energies == Energies::None {
-        return Ok(Some(proved));
-    }
-    if let Some(path) = followed.proved_energy(pair)? {
-        return Ok(Some(proved.with_proved_energy_of(path)));
-    }
-    if energies == Energies::Proved {
-        return Ok(Some(proved));
-    }
-    Ok(Some(proved.with_estimated_energy_of(followed.with_energy(pair))))
+    let Some((path, followed)) = edges_proof::path(pair)? else { return Ok(None) };
+    let enclosed = |followed: &mut edges_proof::Followed| followed.proved_energy(pair);
+    path.with_energies(energies, followed, enclosed, |followed| followed.with_energy(pair)).map(Some)
 }
 
 #[cfg(feature = "mp")]

@@ -6,13 +6,14 @@ use mdr_core::number::{Interval, Literal, Precision, Real};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::folds::{Folds, SearchQuality};
-use mdr_numeric::path::{Event, Path};
+use mdr_numeric::path::{Event, EventKind, Path};
 use mdr_numeric::proof::ProvedBranches;
 use rug::Float;
 
 use super::{LoadingPath, PathEvent, PathNumbers, energies, events, follow, is_arrival};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise, Value};
+use crate::scene::Scene;
 use crate::solve::certified::Certified;
 use crate::solve::digits::{MOST_OF_INTEGRALS, agree, decide_from, decide_within, guarded, raised, start};
 use crate::solve::model::Model;
@@ -175,16 +176,9 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
         let followed = last.insert(Followed::new(certified, folds, precision)?);
         let events = events::events(&followed.control, &followed.shown, &*certified.admissibility()?);
         let mut events = events.convert(Enclosure::from);
-        let mut way = scene.path.iter();
+        set_exact(&mut events, &followed.path, scene);
         for (record, event) in events.iter_mut().zip(&followed.path.events) {
-            if is_arrival(event.kind)
-                && let Some(literal) = way.next()
-            {
-                set_exact(record, event, &scene.control, literal);
-            }
-            if let (Some(_), Some(fold)) = (event.fold, event.before.contact())
-                && scene.breaks_at_zero_depth(&fold.contact_radius)
-            {
+            if breaks_at_zero_depth(scene, event) {
                 record.indentation = Some(exactly(&0.into()));
             }
         }
@@ -199,20 +193,39 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
     Ok(decided(items)?.map(path).zip(last))
 }
 
-/// The exact value of the controlled quantity at a way point. Surfaces apart carry no load, whatever is applied.
-pub(super) fn set_exact(
-    record: &mut PathEvent<Enclosure>,
-    event: &Event<Interval>,
-    control: &Control<Literal>,
-    literal: &Literal,
-) {
-    let value = match control {
-        Control::Indentation => &mut record.indentation,
-        Control::Force if event.before.contact().is_none() => return,
-        Control::Force => &mut record.force,
-        Control::Machine { .. } => &mut record.position.0,
+/// Whether the fold from which the contact jumps or breaks in an event is at the depth 0, exactly.
+pub(crate) fn breaks_at_zero_depth(scene: &Scene, event: &Event<Interval>) -> bool {
+    let fold = event.fold.and(event.before.contact());
+    fold.is_some_and(|fold| scene.breaks_at_zero_depth(&fold.contact_radius))
+}
+
+/// The value of the controlled quantity in each event as the way points state it; `None` in between. An edge stops at the way point at
+/// which the controlled quantity turns.
+pub(crate) fn written<'w>(way: &'w [Literal], path: &Path<Interval>) -> Vec<Option<&'w Literal>> {
+    let mut way = way.iter();
+    let mut last = None;
+    let of_event = |event: &Event<Interval>| {
+        if is_arrival(event.kind) {
+            last = way.next();
+        }
+        last.filter(|_| is_arrival(event.kind) || event.kind == EventKind::Pinned)
     };
-    if let Some(Value::Known(_)) = value {
-        *value = Some(exactly(literal));
+    path.events.iter().map(of_event).collect()
+}
+
+/// Gives the events the exact value of the controlled quantity where the way points state it. Surfaces apart carry no load, whatever is
+/// applied.
+pub(super) fn set_exact(records: &mut [PathEvent<Enclosure>], path: &Path<Interval>, scene: &Scene) {
+    let written = written(&scene.path, path);
+    for ((record, event), literal) in records.iter_mut().zip(&path.events).zip(written) {
+        let value = match scene.control {
+            Control::Indentation => &mut record.indentation,
+            Control::Force if event.before.contact().is_none() => continue,
+            Control::Force => &mut record.force,
+            Control::Machine { .. } => &mut record.position.0,
+        };
+        if let (Some(literal), Some(Value::Known(_))) = (literal, &value) {
+            *value = Some(exactly(literal));
+        }
     }
 }
