@@ -8,7 +8,7 @@ use rug::float::Round;
 use super::super::weight::Weight;
 
 /// Intervals of radii that are wider than this ratio are not integrated.
-const WIDEST: f64 = 1.03125;
+const WIDEST: f64 = 1.5;
 /// Bits by which the aim of a rule is below the size of the integral,
 const SPARE: i32 = 6;
 /// and below the width of an enclosure over an interval of radii.
