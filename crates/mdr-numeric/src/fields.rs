@@ -168,10 +168,12 @@ impl<R: Special> Fields<R> {
         ((r.clone() - &kink).times(16) < first.clone() - r).then_some(kink)
     }
 
-    /// Whether the quadrature is expected to fail: at the tip if g' does not vanish there, and at a kink.
+    /// Whether the quadrature is expected to fail: at the tip if g' does not vanish there, and at a kink. A slope that falls slowly towards
+    /// the tip, as that of r^1.05, has a pressure there, though the quadrature may not reach it.
     fn is_infinite_at(&self, r: &R) -> bool {
         let near = |bits: i64| self.curve.transform().slope(&(r.lit(2).powi(-bits) * &self.contact_radius));
-        let sharp = || matches!((near(20), near(40)), (Ok(far), Ok(near)) if near.abs() > far.abs().over(2));
+        let sharp =
+            || matches!((near(20), near(40)), (Ok(far), Ok(near)) if near.abs() > far.abs().times(1023).over(1024));
         self.curve.transform().kinks().contains(r) || *r == r.lit(0) && sharp()
     }
 
