@@ -145,6 +145,195 @@ fn a_tip_with_a_slope_has_an_infinite_pressure() {
     assert!(fields.pressure(&number("1e-9", 100)).is_ok());
 }
 
+/// Formulas on a graded half-space and on a Winkler foundation.
+mod springs {
+    use mdr_numeric::medium::{Adhesion, Medium};
+    use mdr_numeric::transform::Weighted;
+
+    use super::*;
+
+    /// Smooth tips, one of them with an end, and waves, with a radius of contact.
+    const CASES: [(&str, &str); 4] = [
+        ("1 - sqrt(1 - r^2)", "0.6"),
+        ("sqrt(r^2 + 0.01) - 0.1", "0.3"),
+        ("r^2/2 + 5e-4*(1 - cos(20*pi*r))", "0.09"),
+        ("0.2*r + r^2*exp(-r)", "0.8"),
+    ];
+    const MEDIA: [&str; 4] = ["0.3", "-0.45", "0.9", "winkler"];
+
+    /// Energy at a depth of 0.05.
+    fn enclosed(formula: &str, medium: &str, a: &str, bits: u32) -> Result<Interval, Error> {
+        let (formula, none) = (formula.parse::<Expression>().unwrap(), Default::default());
+        let precision = Precision::new(bits);
+        let bound = || formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap();
+        let (transform, medium) = match medium {
+            "winkler" => (Enclosed::winkler(bound(), precision), Medium::winkler(number("2", bits))?),
+            k => (
+                Enclosed::graded(bound(), precision, number(k, bits)),
+                Medium::graded(number("2", bits), number(k, bits))?,
+            ),
+        };
+        let adhesion = Adhesion::new(number("1e-3", bits))?;
+        let contact = Contact::new(transform, medium, adhesion, Control::Indentation);
+        let profile = Continuation::new(vec![bound()]).unwrap().on(contact.medium()).unwrap();
+        EnclosedEnergy::new(&contact, &profile)?.potential(&number(a, bits), &number("0.05", bits))
+    }
+
+    #[test]
+    fn enclosures_hold_what_quadratures_find() {
+        let mut compared = 0;
+        for (formula, a) in CASES {
+            for medium in MEDIA {
+                let (parsed, none) = (formula.parse::<Expression>().unwrap(), Default::default());
+                let profile = parsed.bind::<f64>((), &none).unwrap();
+                let (transform, springs): (Box<dyn Transform<f64>>, _) = match medium {
+                    "winkler" => (Box::new(Weighted::winkler(profile, 1.0)), Medium::winkler(2.0).unwrap()),
+                    k => {
+                        let k = k.parse().unwrap();
+                        (Box::new(Weighted::graded(profile, k)), Medium::graded(2.0, k).unwrap())
+                    }
+                };
+                let adhesion = Adhesion::new(1e-3).unwrap();
+                let contact = Contact::sharing(Arc::from(transform), springs, adhesion, Control::Indentation);
+                let wanted = Energy::new(contact).and_then(|energy| energy.potential(&a.parse().unwrap(), &0.05));
+                // Doubles do not reach some of them.
+                let Ok(wanted) = wanted else { continue };
+                compared += 1;
+                let found =
+                    enclosed(formula, medium, a, 64).unwrap_or_else(|error| panic!("{formula}, {medium}: {error}"));
+                let apart = (found.approx() - wanted).abs();
+                assert!(apart < 1e-10 * (1e-3 + wanted.abs()), "{formula}, {medium}: {found}, {wanted}");
+                assert!(found.accuracy_bits() > 30, "{formula}, {medium}: {found}");
+            }
+        }
+        assert!(compared >= 12, "{compared}");
+    }
+
+    /// The truth is that of 48 bits; it lies within what is said with few.
+    #[test]
+    fn few_bits_contain_the_truth() {
+        let mut held = 0;
+        for (formula, a) in &CASES[1..3] {
+            for medium in MEDIA {
+                let truth = enclosed(formula, medium, a, 48).unwrap();
+                for bits in [8, 12, 16, 24] {
+                    let Ok(found) = enclosed(formula, medium, a, bits) else { continue };
+                    assert!(found.overlaps(&truth), "{formula}, {medium} at {bits} bits: {found} without {truth}");
+                    held += 1;
+                }
+            }
+        }
+        assert!(held >= 24, "{held}");
+    }
+
+    #[test]
+    fn a_profile_on_another_medium_is_refused() {
+        let (bits, none) = (80, Default::default());
+        let formula: Expression = "r^2/2".parse().unwrap();
+        let bound = || formula.enclosed(&none, &formula.breaks(&none).unwrap(), Precision::new(bits)).unwrap();
+        let medium = |k: &str| Medium::graded(number("2", bits), number(k, bits)).unwrap();
+        let transform = Enclosed::graded(bound(), Precision::new(bits), number("0.3", bits));
+        let adhesion = Adhesion::new(number("1e-3", bits)).unwrap();
+        let contact = Contact::new(transform, medium("0.3"), adhesion, Control::Indentation);
+        let on = |other: &Medium<Interval>| Continuation::new(vec![bound()]).unwrap().on(other).unwrap();
+        assert!(EnclosedEnergy::new(&contact, &on(&medium("0.3"))).is_ok());
+        assert!(EnclosedEnergy::new(&contact, &on(&medium("0.4"))).is_err());
+        assert!(EnclosedEnergy::new(&contact, &Continuation::new(vec![bound()]).unwrap()).is_err());
+    }
+}
+
+/// Measured tables, cubic by cubic.
+mod tables {
+    use mdr_numeric::table::Table;
+
+    use super::*;
+
+    /// A wavy paraboloid whose g falls in places, in rows up to 1, with a radius of contact, one within and one outside.
+    const CASES: [(usize, [&str; 3]); 3] =
+        [(6, ["0.43", "0.11", "0.71"]), (14, ["0.62", "0.3", "0.64"]), (41, ["0.931", "0", "0.99"])];
+
+    fn table(rows: usize) -> Table {
+        let row = |i: usize| {
+            let r = i as f64 / (rows - 1) as f64;
+            format!("{r:.6},{:.6}\n", r * r / 2.0 + 0.02 * (1.0 - (9.0 * r).cos()))
+        };
+        let csv: String = std::iter::once("r,f\n".to_owned()).chain((0..rows).map(row)).collect();
+        Table::from_csv(csv.as_bytes()).unwrap()
+    }
+
+    /// Energy, pressure, displacement and gap.
+    fn all(rows: usize, [a, within, outside]: [&str; 3], bits: u32) -> [Result<Interval, Error>; 4] {
+        let transform = Arc::new(table(rows).profile::<Interval>(Precision::new(bits)).unwrap());
+        let material = Material::new(number("2", bits), number("1e-3", bits)).unwrap();
+        let contact = Contact::half_space(&transform, &material, &Control::Indentation);
+        let profile = Continuation::new(vec![transform.enclosed()]).unwrap();
+        let contact_radius = number(a, bits);
+        let state = contact.state(&contact_radius).map(|(indentation, force)| Equilibrium {
+            contact_radius,
+            indentation,
+            force,
+            stability: Stability::Stable,
+        });
+        let energy = EnclosedEnergy::new(&contact, &profile).unwrap();
+        let fields = || EnclosedFields::new(&contact, &profile, state.as_ref().map_err(Clone::clone)?);
+        let [within, outside] = [within, outside].map(|r| number(r, bits));
+        [
+            state.as_ref().map_err(Clone::clone).and_then(|at| energy.potential(&at.contact_radius, &at.indentation)),
+            fields().and_then(|fields| fields.pressure(&within)),
+            fields().and_then(|fields| fields.displacement(&outside)),
+            fields().and_then(|fields| fields.gap(&outside)),
+        ]
+    }
+
+    #[test]
+    fn enclosures_hold_what_quadratures_find() {
+        for (rows, radii) in CASES {
+            let transform = Arc::new(table(rows).profile::<f64>(()).unwrap());
+            let contact = Contact::half_space(&transform, &Material::new(2.0, 1e-3).unwrap(), &Control::Indentation);
+            let [a, within, outside] = radii.map(|r| r.parse::<f64>().unwrap());
+            let fields = Fields::new(contact.clone(), a).unwrap();
+            let energy = Energy::new(contact).unwrap().potential(&a, fields.indentation()).unwrap();
+            let wanted = [
+                energy,
+                fields.pressure(&within).unwrap(),
+                fields.displacement(&outside).unwrap(),
+                fields.gap(&outside).unwrap(),
+            ];
+            for (index, found) in all(rows, radii, 80).into_iter().enumerate() {
+                let found = found.unwrap_or_else(|error| panic!("{rows}, {index}: {error}"));
+                // Each is a sum of terms of the size of 1.
+                assert!((found.approx() - wanted[index]).abs() < 1e-10, "{rows}, {index}: {found}, {}", wanted[index]);
+                assert!(found.accuracy_bits() > 40, "{rows}, {index}: {found}");
+            }
+        }
+    }
+
+    /// The truth is that of 120 bits; it lies within what is said with few.
+    #[test]
+    fn few_bits_contain_the_truth() {
+        let mut held = 0;
+        for (rows, radii) in CASES {
+            let truth = all(rows, radii, 120);
+            for bits in [14, 18, 24, 32] {
+                for (index, (found, truth)) in all(rows, radii, bits).into_iter().zip(&truth).enumerate() {
+                    // So few bits may not tell a radius from a row.
+                    let Ok(found) = found else { continue };
+                    let truth = truth.as_ref().unwrap();
+                    assert!(found.overlaps(truth), "{rows}, {index} at {bits} bits: {found} without {truth}");
+                    held += 1;
+                }
+            }
+        }
+        assert!(held >= 36, "{held}");
+    }
+
+    #[test]
+    fn a_gap_beyond_the_last_row_is_out_of_its_domain() {
+        let [_, _, displacement, gap] = all(14, ["0.62", "0.3", "1.5"], 80);
+        assert!(displacement.is_ok() && matches!(gap, Err(Error::Domain { .. })), "{gap:?}");
+    }
+}
+
 /// Energies by the mean of g² as a closed form.
 mod closed {
     use mdr_numeric::medium::{Adhesion, Medium};

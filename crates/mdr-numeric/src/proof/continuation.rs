@@ -9,18 +9,27 @@
 //! x σ ∫₀^{π/2} sinφ r⁻² DΔ(r) dφ, σ = √(x² − b²), r² = b² + σ² sin²φ,
 //!
 //! which is (1.1) of Δ from b on. It is analytic in σ, so that g is, next to a kink, in σ instead of x. The weights sinθ dθ are
-//! positive with the sum 1: over a convex set of values each mean lies in it, and some cells of angles give an enclosure.
+//! positive with the sum 1: over a convex set of values each mean lies in it, and some cells of angles give an enclosure. On a half-space graded as
+//! zᵏ g is the mean of f + Df/(1 + k) with the weights (1 + k) sinθ cosᵏθ dθ, on a Winkler foundation f itself.
+//!
+//! A profile with many kinks, as a table, has a term for the last few of them only. There f itself stands for Δ at the first of these, up to
+//! which radii are [distant](super::distant).
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use mdr_core::calculus::enclose::BOUND_BITS;
 use mdr_core::contact::EnclosedFormula;
 use mdr_core::number::{Analytic, Euler, Interval, Precision, Real, Rectangle};
-use rug::Float;
-use rug::float::Round;
+
+use super::distant::Distant;
+use crate::medium::Medium;
 
 /// Cells of angles, of equal weight.
 const CELLS: i64 = 6;
+/// From so many kinks on radii below the last few are distant,
+const MANY: usize = 8;
+/// and so many kinks before x are not.
+const NEAR: usize = 4;
 
 /// A profile f, as a sum of formulas, with its analytic continuation beyond kinks; from it g is bounded over complex sets of
 /// radii, where its closed form or its integral is for numbers only.
@@ -45,10 +54,23 @@ pub struct Continuation {
     breaks: Vec<Interval>,
     /// sinθ over each cell, and sin²θ.
     cells: Vec<[Interval; 2]>,
+    springs: Springs,
     /// k, if f is analytic at the axis as a function of r^(1/k) alone; else 1.
     root: u32,
+    /// Of many kinks.
+    distant: Option<Distant>,
     /// The heights that were evaluated, counted over intervals.
     heights: AtomicU64,
+}
+
+/// Of what g is the mean.
+enum Springs {
+    /// f + Df.
+    HalfSpace,
+    /// f + Df/(1 + k), with 1/(1 + k).
+    Graded(Interval),
+    /// f.
+    Winkler,
 }
 
 /// The largest k of r^(1/k).
@@ -66,7 +88,61 @@ impl Continuation {
         let roots = terms.iter().filter_map(|term| term.part(0)?.root());
         let root = roots.fold(1, least_common_multiple);
         let root = if root > LARGEST_ROOT { 1 } else { root };
-        Some(Continuation { terms, breaks, cells: cells(), root, heights: AtomicU64::default() })
+        let (cells, springs, heights) = (cells(|share| share.square()), Springs::HalfSpace, AtomicU64::default());
+        let mut all = Continuation { terms, breaks, cells, springs, root, distant: None, heights };
+        if all.breaks.len() >= MANY {
+            all.distant = Distant::new(&all.breaks, |radii, beyond| all.slope_within(radii, beyond));
+        }
+        Some(all)
+    }
+
+    /// The profile on another medium; `None` where g is not known on complex sets.
+    pub fn on(mut self, medium: &Medium<Interval>) -> Option<Self> {
+        (self.cells, self.springs) = match medium {
+            Medium::HalfSpace { .. } => return Some(self),
+            Medium::Graded { exponent, .. } => {
+                let order = exponent.rounded(Precision::new(BOUND_BITS));
+                let share = order.lit(1) / (order.clone() + order.lit(1));
+                (cells(|cosine| cosine.pow(&share).square()), Springs::Graded(share))
+            }
+            Medium::Winkler { modulus } => {
+                let one = modulus.rounded(Precision::new(BOUND_BITS)).lit(1);
+                (vec![[one.clone(), one]], Springs::Winkler)
+            }
+            _ => return None,
+        };
+        self.distant = None;
+        Some(self)
+    }
+
+    /// Whether it is on a medium of this kind.
+    pub(super) fn is_on(&self, medium: &Medium<Interval>) -> bool {
+        match (&self.springs, medium) {
+            (Springs::HalfSpace, Medium::HalfSpace { .. }) | (Springs::Winkler, Medium::Winkler { .. }) => true,
+            (Springs::Graded(share), Medium::Graded { exponent, .. }) => {
+                let order = exponent.rounded(Precision::new(BOUND_BITS)) + share.lit(1);
+                (order * share).contains(share.lit(1).lower())
+            }
+            _ => false,
+        }
+    }
+
+    /// What g is the mean of.
+    fn weighted<T: Analytic>(&self, f: &Euler<T>) -> T {
+        match &self.springs {
+            Springs::HalfSpace => f.value().plus(&f.derivative(1)),
+            Springs::Graded(share) => f.value().plus(&f.derivative(1).scaled(share)),
+            Springs::Winkler => f.value().clone(),
+        }
+    }
+
+    /// f' on radii beyond so many kinks.
+    fn slope_within(&self, radii: &Interval, beyond: usize) -> Option<Interval> {
+        let slopes = self.terms.iter().map(|term| {
+            let [_, slope, _] = term.part(self.index(term, beyond))?.slopes(radii)?;
+            Some(slope)
+        });
+        sum(slopes)
     }
 
     /// Enclosures of the radii where f is not smooth, ascending.
@@ -132,7 +208,7 @@ impl Continuation {
             let last = self.breaks.partition_point(|b| b.lower() <= r.upper());
             let mut parts = (first..=last).map(|beyond| {
                 let f = self.height(&Euler::variable(&r, 1), beyond)?;
-                Some(f.value().plus(&f.derivative(1)))
+                Some(self.weighted(&f))
             });
             let one = parts.next()??;
             means.push(parts.try_fold(one, |hull, other| Some(hull.hull(&other?)))?);
@@ -159,29 +235,36 @@ impl Continuation {
                 }
             };
             let f = sum(self.terms.iter().map(of))?;
-            Some(f.value().plus(&f.derivative(1)))
+            Some(self.weighted(&f))
         }))
     }
 
-    /// g over a complex set of radii beyond so many kinks. `legs` has σ of each of them.
-    pub(super) fn g(&self, x: &Rectangle, legs: &[Rectangle]) -> Option<Rectangle> {
-        let mut g = mean(self.cells.iter().map(|[sine, _]| {
-            let f = self.height(&Euler::variable(&x.scaled(sine), 1), 0)?;
-            Some(f.value().plus(&f.derivative(1)))
-        }))?;
-        for (kink, leg) in legs.iter().enumerate() {
-            let [i, _] = self.beyond(kink, leg)?;
+    /// g over a complex set of radii; beyond kinks on a half-space only.
+    pub(super) fn g(&self, x: &Rectangle, legs: &Legs) -> Option<Rectangle> {
+        if !legs.legs.is_empty() && !matches!(self.springs, Springs::HalfSpace) {
+            return None;
+        }
+        let mut g = match (&self.distant, legs.base) {
+            (Some(distant), Some(base)) => distant.g(x, base)?,
+            _ => mean(self.cells.iter().map(|[sine, _]| {
+                let f = self.height(&Euler::variable(&x.scaled(sine), 1), 0)?;
+                Some(self.weighted(&f))
+            }))?,
+        };
+        for (kink, leg) in legs.all() {
+            let [i, _] = self.beyond(kink, leg, legs.base)?;
             g = g.plus(&x.product(leg).product(&i));
         }
         Some(g)
     }
 
-    /// ∫ sinφ r⁻² DΔ dφ, and ∫ sin³φ r⁻⁴ (D² − 2D)Δ dφ, its derivative in x over x.
-    fn beyond(&self, kink: usize, leg: &Rectangle) -> Option<[Rectangle; 2]> {
+    /// ∫ sinφ r⁻² DΔ dφ, and ∫ sin³φ r⁻⁴ (D² − 2D)Δ dφ, its derivative in x over x. At the base Δ is f.
+    fn beyond(&self, kink: usize, leg: &Rectangle, base: Option<usize>) -> Option<[Rectangle; 2]> {
         let square = leg.constant(&self.breaks[kink]).squared();
         let at = |[_, share]: &[Interval; 2]| {
             let r_squared = leg.squared().scaled(share).plus(&square);
-            let change = self.change(&Euler::variable(&r_squared.sqrt()?, 2), kink)?;
+            let r = Euler::variable(&r_squared.sqrt()?, 2);
+            let change = if base == Some(kink) { self.height(&r, kink + 1)? } else { self.change(&r, kink)? };
             let (first, second) = (change.derivative(1), change.derivative(2));
             let rise = second.minus(&first.plus(&first));
             Some([first.quotient(&r_squared)?, rise.quotient(&r_squared.squared())?.scaled(share)])
@@ -200,32 +283,35 @@ impl Continuation {
     }
 
     /// dg/dx, or with `by_leg` dg/dσ of the last kink, which is bounded next to it.
-    pub(super) fn slope(&self, x: &Rectangle, legs: &[Rectangle], by_leg: bool) -> Option<Rectangle> {
-        let mut slope = self.first_rise(x)?.quotient(x)?;
-        let square = x.squared();
-        let (last, others) = match legs.split_last() {
-            Some((last, others)) if by_leg => (Some(last), others),
-            _ => (None, legs),
+    pub(super) fn slope(&self, x: &Rectangle, legs: &Legs, by_leg: bool) -> Option<Rectangle> {
+        let mut slope = match (&self.distant, legs.base) {
+            (Some(distant), Some(base)) => distant.slope(x, base)?,
+            _ => self.first_rise(x)?.quotient(x)?,
         };
-        for (kink, leg) in others.iter().enumerate() {
-            let [i, j] = self.beyond(kink, leg)?;
+        let square = x.squared();
+        let by_leg = legs.legs.len().checked_sub(1).filter(|_| by_leg).map(|last| legs.first + last);
+        for (kink, leg) in legs.all().filter(|(kink, _)| Some(*kink) != by_leg) {
+            let [i, j] = self.beyond(kink, leg, legs.base)?;
             let factor = leg.plus(&square.quotient(leg)?);
             slope = slope.plus(&factor.product(&i)).plus(&square.product(leg).product(&j));
         }
-        let Some(leg) = last else { return Some(slope) };
-        let [i, j] = self.beyond(others.len(), leg)?;
+        let Some((kink, leg)) = legs.all().find(|(kink, _)| Some(*kink) == by_leg) else { return Some(slope) };
+        let [i, j] = self.beyond(kink, leg, legs.base)?;
         let own = leg.squared().quotient(x)?.plus(x).product(&i).plus(&leg.squared().product(x).product(&j));
         Some(slope.product(leg).quotient(x)?.plus(&own))
     }
 
-    /// σ of each kink before x, the last of them given.
-    pub(super) fn legs(&self, x: &Rectangle, beyond: usize, last: Option<&Rectangle>) -> Option<Vec<Rectangle>> {
+    /// σ of the kinks before x that have a term, the last of them given.
+    pub(super) fn legs(&self, x: &Rectangle, beyond: usize, last: Option<&Rectangle>) -> Option<Legs> {
+        let base = beyond.checked_sub(NEAR).filter(|_| self.distant.is_some());
+        let first = base.unwrap_or(0);
         let square = x.squared();
         let leg = |(kink, b): (usize, &Interval)| match last {
             Some(last) if kink + 1 == beyond => Some(last.clone()),
             _ => square.minus(&square.constant(b).squared()).sqrt(),
         };
-        self.breaks[..beyond].iter().enumerate().map(leg).collect()
+        let legs = self.breaks.iter().enumerate().take(beyond).skip(first).map(leg).collect::<Option<_>>()?;
+        Some(Legs { base, first, legs })
     }
 
     /// Whether f'(0) = 0 exactly, where f is smooth at the tip.
@@ -266,64 +352,43 @@ fn sum<T: Analytic>(mut values: impl Iterator<Item = Option<T>>) -> Option<T> {
     values.try_fold(first, |sum, value| Some(sum.plus(&value?)))
 }
 
+/// σ = √(x² − b²) of kinks b before x.
+pub(super) struct Legs {
+    /// The kink up to which radii are distant.
+    base: Option<usize>,
+    /// The first kink with a leg.
+    first: usize,
+    legs: Vec<Rectangle>,
+}
+
+impl Legs {
+    /// The kinks, with their legs.
+    fn all(&self) -> impl Iterator<Item = (usize, &Rectangle)> {
+        (self.first..).zip(&self.legs)
+    }
+}
+
 /// The mean over the cells.
 fn mean<T: Analytic>(values: impl Iterator<Item = Option<T>>) -> Option<T> {
-    let total = sum(values)?;
+    let mut count = 0;
+    let total = sum(values.inspect(|_| count += 1))?;
     let bits = Precision::new(total.bits());
-    Some(total.scaled(&Real::over(Interval::from_int(bits, 1), CELLS))).filter(T::is_bounded)
+    Some(total.scaled(&Real::over(Interval::from_int(bits, 1), count))).filter(T::is_bounded)
 }
 
-/// sinθ and sin²θ on cells in which cosθ falls by equal steps.
-fn cells() -> Vec<[Interval; 2]> {
+/// sinθ and sin²θ on cells of equal weight, from cos²θ where so much of the weight is left.
+fn cells(square: impl Fn(Interval) -> Interval) -> Vec<[Interval; 2]> {
     let precision = Precision::new(BOUND_BITS);
-    // 1 − (1 − j/n)² = j(2n − j)/n².
-    let square = |j: i64| Interval::from_int(precision, j * (2 * CELLS - j)).over(CELLS * CELLS);
-    let cell = |j: i64| {
-        let (from, to) = (square(j), square(j + 1));
-        [Real::sqrt(&from).hull(&Real::sqrt(&to)), from.hull(&to)]
-    };
-    (0..CELLS).map(cell).collect()
+    let ends: Vec<Interval> = (0..=CELLS)
+        .map(|j| {
+            let share = Interval::from_int(precision, CELLS - j).over(CELLS);
+            share.lit(1) - square(share)
+        })
+        .collect();
+    let cell = |pair: &[Interval]| [Real::sqrt(&pair[0]).hull(&Real::sqrt(&pair[1])), pair[0].hull(&pair[1])];
+    ends.windows(2).map(cell).collect()
 }
 
-/// What the radii of a piece of an integral have in common: they lie beyond so many kinks, and are x = v or, beyond a kink b,
-/// x² = b² + v², with v from one number to another as t goes from 0 to 1.
-pub(super) struct Stretch<'a> {
-    pub(super) profile: &'a Continuation,
-    pub(super) beyond: usize,
-    /// A number whose square is x² − v².
-    pub(super) base: Option<Interval>,
-    pub(super) from: Interval,
-    pub(super) length: Interval,
-}
-
-impl Stretch<'_> {
-    /// v and x.
-    pub(super) fn at<T: Analytic>(&self, t: &T) -> Option<[T; 2]> {
-        let v = t.scaled(&self.length).plus(&t.constant(&self.from));
-        let x = match &self.base {
-            None => v.clone(),
-            Some(base) => v.squared().plus(&v.constant(base).squared()).sqrt()?,
-        };
-        Some([v, x])
-    }
-
-    /// v and x over an interval of t, on which v does not fall below 0.
-    pub(super) fn over(&self, t: &Interval) -> Option<[Interval; 2]> {
-        let [v, x] = self.at(t)?;
-        Some([v.nonnegative()?, x.nonnegative()?])
-    }
-}
-
-/// √(x² − b²); 0 where both are the same enclosure of one number.
-pub(super) fn leg(x: &Interval, b: &Interval) -> Interval {
-    if x.is_same(b) {
-        return x.lit(0);
-    }
-    let product = (x.clone() - b) * (x.clone() + b);
-    Real::sqrt(&product.nonnegative().unwrap_or_else(|| x.lit(0)))
-}
-
-/// A number of bounds, rounded up.
-pub(super) fn up(value: &Float) -> Float {
-    Float::with_val_round(BOUND_BITS, value, Round::Up).0
-}
+#[cfg(test)]
+#[path = "../../tests/private/distant.rs"]
+mod tests;

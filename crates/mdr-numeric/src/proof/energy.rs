@@ -1,7 +1,7 @@
 //! The energy of states over enclosures.
 //!
 //! Π(a, d) = ½S(d² − 2d·ḡ + q) − Aw, with the means ḡ of g and q of g² over the springs. Where the transform has no closed form of q, and on
-//! a half-space, where it is (1/a)∫₀ᵃ g² dx, the integral is [rigorous](mdr_core::calculus::enclose): its nodes take g from the transform,
+//! a half-space, where it is (1/a)∫₀ᵃ g² dx, the integral over the springs is [rigorous](mdr_core::calculus::enclose): its nodes take g from the transform,
 //! its remainders from the [continuation](super::Continuation) of the profile. From the axis on the variable is a root of the radius, where
 //! the profile has fractional powers of it.
 
@@ -10,10 +10,12 @@ use mdr_core::contact::{Control, Error, Quantity, Result};
 use mdr_core::number::{Interval, Precision, Real};
 use rug::Float;
 
-use super::continuation::{Continuation, up};
+use super::continuation::Continuation;
 use super::kinks::at_edge;
 use super::squares::SquareIntegral;
+use super::stretch::up;
 use crate::contact::Contact;
+use crate::energy::MEDIUM;
 use crate::path::ContactState;
 
 /// The most pieces of an integral.
@@ -49,12 +51,16 @@ pub struct EnclosedEnergy<'a> {
 }
 
 impl<'a> EnclosedEnergy<'a> {
-    /// By the integral of g².
+    /// By the integral of g² over the springs: of a half-space, which may be graded, or a Winkler foundation, with the profile
+    /// [on the same medium](Continuation::on).
     ///
     /// # Errors
-    /// [`Error::Domain`] on another medium than a half-space.
+    /// [`Error::Domain`] on another medium, and where the profile is on another medium than the contact.
     pub fn new(contact: &'a Contact<Interval>, profile: &'a Continuation) -> Result<Self> {
-        super::check_half_space(contact)?;
+        if !profile.is_on(contact.medium()) {
+            let requirement = "the one on which the profile is continued, for integrals with a proof";
+            return Err(Error::Domain { quantity: MEDIUM, value: "another medium".to_owned(), requirement });
+        }
         Ok(EnclosedEnergy { contact, integral: Some(SquareIntegral { contact, profile }) })
     }
 
@@ -158,8 +164,8 @@ impl<'a> EnclosedEnergy<'a> {
 
     /// The mean of g² over the springs for each a, in their order.
     fn mean_squares(&self, radii: &[Interval]) -> Result<Vec<Interval>> {
-        if self.integral.is_some() {
-            return Ok(self.squares(radii)?.into_iter().zip(radii).map(|(square, a)| square / a).collect());
+        if let Some(integral) = &self.integral {
+            return integral.means(radii);
         }
         let without = || {
             let requirement = "one whose mean of g² is a closed form";
@@ -169,12 +175,13 @@ impl<'a> EnclosedEnergy<'a> {
         radii.iter().map(square).collect()
     }
 
-    /// ∫₀ᵃ g² dx for each a, in their order.
+    /// ∫₀ᵃ g² dx for each a, in their order, on a half-space.
     ///
     /// # Errors
-    /// [`Error::Domain`] for an energy by closed forms, or unless each a is positive; errors of the transform; [`Error::Unproved`] where an
-    /// integral takes too many pieces.
+    /// [`Error::Domain`] for an energy by closed forms or on another medium, or unless each a is positive; errors of the transform;
+    /// [`Error::Unproved`] where an integral takes too many pieces.
     pub fn squares(&self, radii: &[Interval]) -> Result<Vec<Interval>> {
+        super::check_half_space(self.contact)?;
         let none = || Error::Domain {
             quantity: Quantity::Integral,
             value: "of an energy by closed forms".to_owned(),

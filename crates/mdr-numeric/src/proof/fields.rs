@@ -17,9 +17,10 @@ use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Transform};
 use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle, Special};
 use rug::Float;
 
-use super::continuation::{Continuation, Stretch, leg};
+use super::continuation::Continuation;
 use super::energy::{all_over_unit_interval, located, over_unit_interval, unproved};
 use super::kinks::at_edge;
+use super::stretch::{Stretch, leg};
 use crate::contact::Contact;
 
 /// The radius, over that of the contact, up to which g' is looked at for a tip where the pressure is infinite.
@@ -124,8 +125,11 @@ impl<'a> EnclosedFields<'a> {
     /// # Errors
     /// [`Error::Domain`] unless r > a and within the profile; [`EnclosedFields::displacement`].
     pub fn gap(&self, r: &Interval) -> Result<Interval> {
-        let outside = self.displacement(r)?;
         let outer = self.contact.transform().outer_radius();
+        if outer.as_ref().is_some_and(|outer| r > outer) {
+            return Err(Error::domain(Quantity::Radius, r, "within the profile"));
+        }
+        let outside = self.displacement(r)?;
         if !self.profile.reaches(r) || outer.is_some_and(|outer| r.upper() >= outer.lower()) {
             return Err(unproved(r));
         }

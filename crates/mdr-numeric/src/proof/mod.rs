@@ -12,6 +12,7 @@
 mod branches;
 mod cells;
 mod continuation;
+mod distant;
 mod elsewhere;
 mod ends;
 mod energy;
@@ -23,6 +24,7 @@ mod kinks;
 mod overlap;
 mod range;
 mod squares;
+mod stretch;
 
 pub use branches::ProvedBranches;
 pub use cells::{ProvedCell, Trend};

@@ -18,8 +18,9 @@ use mdr_core::calculus::enclose::BOUND_BITS;
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
 use mdr_core::number::{Euler, Interval, Precision, Real, Special};
 
-use super::continuation::{Continuation, leg};
+use super::continuation::Continuation;
 use super::fields::moments;
+use super::stretch::leg;
 use crate::admissible::Ring;
 use crate::contact::Contact;
 

@@ -1,12 +1,14 @@
-//! ∫₀ᵃ g² dx over enclosures, for the energies of a half-space.
+//! The mean of g² over the springs as an enclosure: (1/a)∫₀ᵃ g² dx on a half-space, and by other weights on other media.
 
 use mdr_core::calculus::enclose::Sampled;
 use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::{Analytic, Interval, Real, Rectangle};
 
-use super::continuation::{Continuation, Stretch, leg};
+use super::continuation::Continuation;
 use super::energy::{located, over_unit_interval, unproved};
+use super::stretch::{Stretch, leg};
 use crate::contact::Contact;
+use crate::medium::Medium;
 
 /// The integral of g², piece by piece between the kinks.
 pub(super) struct SquareIntegral<'a> {
@@ -15,6 +17,29 @@ pub(super) struct SquareIntegral<'a> {
 }
 
 impl SquareIntegral<'_> {
+    /// The mean of g² over the springs of a contact of each radius, in their order.
+    ///
+    /// # Errors
+    /// A radius that is not positive; errors of the transform; [`Error::Unproved`] where an integral takes too many pieces, and beyond a
+    /// kink on other media than a half-space.
+    pub(super) fn means(&self, radii: &[Interval]) -> Result<Vec<Interval>> {
+        let order = match self.contact.medium() {
+            Medium::Graded { exponent, .. } => Some(exponent.lit(1) / (exponent.clone() + exponent.lit(1))),
+            Medium::Winkler { .. } => None,
+            _ => return Ok(self.up_to(radii)?.into_iter().zip(radii).map(|(square, a)| square / a).collect()),
+        };
+        let mean = |a: &Interval| {
+            Error::require_positive(Quantity::ContactRadius, a.clone())?;
+            if !self.profile.reaches(a) || self.profile.breaks().iter().any(|b| b.lower() <= a.upper()) {
+                return Err(unproved(a));
+            }
+            let mean =
+                SpringMean { transform: self.contact.transform(), profile: self.profile, a, order: order.as_ref() };
+            over_unit_interval(&mean, a.precision()).map_err(|error| located(error, a))
+        };
+        radii.iter().map(mean).collect()
+    }
+
     /// ∫₀ᵃ g² dx for each a, in their order.
     ///
     /// # Errors
@@ -148,6 +173,48 @@ impl Sampled for RootedSquare<'_> {
 
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
         self.by_formula(t)
+    }
+}
+
+/// The mean of g² over springs whose stiffness up to x is as x^(1 + k): ∫₀¹ g(a y^(1/(1 + k)))² dy, on a Winkler foundation, with k = 1,
+/// 2∫₀¹ t g(at)² dt.
+struct SpringMean<'a> {
+    transform: &'a dyn Transform<Interval>,
+    profile: &'a Continuation,
+    a: &'a Interval,
+    /// 1/(1 + k); `None` on a Winkler foundation.
+    order: Option<&'a Interval>,
+}
+
+impl SpringMean<'_> {
+    fn place<T: Analytic>(&self, t: &T) -> Option<T> {
+        let share = match self.order {
+            Some(order) => t.power(order)?,
+            None => t.clone(),
+        };
+        Some(share.scaled(self.a))
+    }
+
+    fn of<T: Analytic>(&self, g: &T, t: &T) -> Vec<T> {
+        let square = g.squared();
+        vec![if self.order.is_some() { square } else { square.product(&t.plus(t)) }]
+    }
+}
+
+impl Sampled for SpringMean<'_> {
+    fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>> {
+        let Some(x) = self.place(t) else { return Ok(None) };
+        Ok(Some(self.of(&self.transform.g(&x)?, t)))
+    }
+
+    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
+        let x = self.place(t)?;
+        Some(self.of(&self.profile.g(&x, &self.profile.legs(&x, 0, None)?)?, t))
+    }
+
+    fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
+        let x = self.place(t)?.nonnegative()?;
+        Some(self.of(&self.profile.range(&x)?, t))
     }
 }
 

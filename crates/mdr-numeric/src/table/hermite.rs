@@ -1,6 +1,10 @@
 //! The shape-preserving cubic: slopes at the points, pieces between them.
 
+#[cfg(feature = "mp")]
+use mdr_core::contact::LocalPolynomial;
 use mdr_core::contact::{Error, Profile, Quantity, Result};
+#[cfg(feature = "mp")]
+use mdr_core::number::Interval;
 use mdr_core::number::{Lift, Real};
 
 use super::MeasuredProfile;
@@ -65,6 +69,17 @@ impl<R: Real> Piece<R> {
         let s = (r.clone() - lift(&self.start)) / lift(&self.width);
         let mean_slope = ((lift(c2).over(3) * &s + lift(c1).over(2)) * &s) + lift(c0);
         mean_slope * s * lift(&self.width) + lift(&self.height)
+    }
+}
+
+#[cfg(feature = "mp")]
+impl Piece<Interval> {
+    /// f(r).
+    pub(super) fn polynomial(&self) -> LocalPolynomial {
+        let Quadratic([c0, c1, c2]) = &self.slope;
+        let along = |coefficient: &Interval, order: i64| coefficient.clone().over(order) * &self.width;
+        let coefficients = vec![self.height.clone(), along(c0, 1), along(c1, 2), along(c2, 3)];
+        LocalPolynomial { start: self.start.clone(), width: self.width.clone(), coefficients }
     }
 }
 

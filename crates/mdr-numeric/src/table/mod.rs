@@ -43,7 +43,11 @@ pub use rough::Scatter;
 
 use far::FarField;
 use hermite::Piece;
+#[cfg(feature = "mp")]
+use mdr_core::contact::EnclosedFormula;
 use mdr_core::contact::{Error, Quantity, Result};
+#[cfg(feature = "mp")]
+use mdr_core::number::Interval;
 use mdr_core::number::{Literal, Special};
 use mdr_core::units::scaled;
 use read::metre_power;
@@ -162,5 +166,26 @@ impl<R: Special> MeasuredProfile<R> {
         let far = FarField::new(&pieces)?;
         let (end, _) = points.swap_remove(points.len() - 1);
         Ok(MeasuredProfile { pieces, end, far, series: Series::default() })
+    }
+}
+
+#[cfg(feature = "mp")]
+impl MeasuredProfile<Interval> {
+    /// f over sets of radii, cubic by cubic.
+    ///
+    /// ```
+    /// use mdr_core::number::{Interval, Precision, Real};
+    /// use mdr_numeric::table::Table;
+    /// let table = Table::from_csv("r,f\n0,0\n1,0.5\n2,2\n3,4.5\n".as_bytes())?;
+    /// let precision = Precision::new(100);
+    /// let profile = table.profile::<Interval>(precision)?.enclosed();
+    /// // r²/2 at r = 3/2.
+    /// let height = profile.part(1).and_then(|part| part.at(&Interval::from_int(precision, 3).over(2)));
+    /// assert!(height.expect("a cubic").contains(Interval::from_int(precision, 9).over(8).lower()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn enclosed(&self) -> EnclosedFormula {
+        let polynomials: Vec<_> = self.pieces.iter().map(Piece::polynomial).collect();
+        EnclosedFormula::piecewise(&polynomials, self.end.clone())
     }
 }

@@ -144,6 +144,12 @@ impl ExactMedium {
         *self == ExactMedium::HalfSpace
     }
 
+    /// Whether a contact is a disc: on a half-space, which may be graded, and on a Winkler foundation.
+    #[cfg(feature = "mp")]
+    pub(crate) fn has_discs(&self) -> bool {
+        matches!(self, ExactMedium::HalfSpace | ExactMedium::Graded { .. } | ExactMedium::Winkler { .. })
+    }
+
     /// The medium, or the half-space where its grading is none, k = 0.
     #[must_use]
     pub fn without_grading(self) -> Self {

@@ -27,7 +27,7 @@ use crate::run::Counts;
 use crate::scene::Scene;
 
 /// Up to this many rows the folds of a table are proved, within some seconds: the cost grows with the square of the rows.
-pub(super) const PROVED_ROWS: usize = 100;
+pub(super) const PROVED_ROWS: usize = 1000;
 
 /// Answers a scene with certified digits. An f64 search supplies starting points and never contributes a digit.
 pub(crate) struct Certified<'s> {
@@ -57,12 +57,12 @@ impl<'s> Certified<'s> {
         once(&self.formulas, || Ok(proof::decided(Formulas::of(&self.scene.profile))?.flatten())).map(Option::as_ref)
     }
 
-    /// Whether the energies of states can be enclosed: by integrals over the formula of the profile on a half-space, or by closed forms.
+    /// Whether the energies of states can be enclosed: by closed forms, or for contacts that are discs by integrals over the profile.
     ///
     /// # Errors
     /// Errors that do not leave the question open; see [`Formulas::of`].
     pub(crate) fn encloses_energies(&self) -> Result<bool> {
-        Ok(self.scene.has_closed_energies() || self.scene.medium.is_half_space() && self.formulas()?.is_some())
+        Ok(self.scene.has_closed_energies() || self.scene.medium.has_discs() && self.formulas()?.is_some())
     }
 
     /// What `ask` finds out with the energies of a contact of the scene over enclosures.
@@ -78,7 +78,7 @@ impl<'s> Certified<'s> {
             return with_energies(contact, None, ask);
         }
         let formulas = self.formulas()?.ok_or_else(without_energies)?;
-        let profile = formulas.continued(contact.modulus().ctx())?;
+        let profile = formulas.continued(contact.modulus().ctx())?.on(contact.medium()).ok_or_else(without_energies)?;
         with_energies(contact, Some(&profile), ask)
     }
 

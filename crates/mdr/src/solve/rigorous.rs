@@ -11,6 +11,7 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::path::{ContactState, Edges, Path};
 use mdr_numeric::proof::{Continuation, EnclosedEnergy, EnclosedFields, ProvedBranches};
+use mdr_numeric::table::Table;
 
 use super::certified::Certified;
 use super::digits::{MOST_OF_INTEGRALS, decide_within, start};
@@ -21,52 +22,63 @@ use crate::answer::{AtValue, Number, PlainState};
 use crate::outputs::path;
 use crate::scene::{Profile, Scene};
 
-/// The profile as formulas, with the values of their parameters and their kinks.
-pub(crate) struct Formulas(Vec<(Expression, BTreeMap<String, Literal>, Breaks)>);
+/// The profile as formulas and splines.
+pub(crate) struct Formulas(Vec<Term>);
+
+/// A term of a profile.
+enum Term {
+    /// With the values of its parameters, and its kinks.
+    Formula(Expression, BTreeMap<String, Literal>, Breaks),
+    Table(Table),
+}
 
 impl Formulas {
-    /// `None` for a profile that is no sum of formulas.
+    /// `None` for a profile that is no sum of formulas and tables.
     ///
     /// # Errors
     /// A parameter without a value; kinks without number towards the axis.
     pub(crate) fn of(profile: &Profile) -> Result<Option<Self>> {
-        let mut formulas = Vec::new();
-        Ok(collect(profile, &mut formulas).map_err(without_formula)?.then_some(Formulas(formulas)))
+        let mut terms = Vec::new();
+        Ok(collect(profile, &mut terms).map_err(without_formula)?.then_some(Formulas(terms)))
     }
 
-    /// The formulas over sets of numbers.
+    /// The profile over sets of numbers.
     ///
     /// # Errors
-    /// A parameter without a value; [`Error::Undecided`] if the order of their kinks is not known.
+    /// A parameter without a value; a table that the precision does not hold; [`Error::Undecided`] if the order of their kinks is not known.
     pub(crate) fn continued(&self, precision: Precision) -> Result<Continuation> {
-        let terms = self.0.iter().map(|(formula, values, breaks)| formula.enclosed(values, breaks, precision));
-        let terms = terms.collect::<std::result::Result<_, _>>().map_err(without_formula)?;
+        let of = |term: &Term| match term {
+            Term::Formula(formula, values, breaks) => {
+                formula.enclosed(values, breaks, precision).map_err(without_formula)
+            }
+            Term::Table(table) => Ok(table.profile::<Interval>(precision)?.enclosed()),
+        };
+        let terms = self.0.iter().map(of).collect::<Result<_>>()?;
         let (quantity, bits, what) = (Quantity::Radius, precision.bits(), "the order of two kinks");
         Continuation::new(terms).ok_or(Error::Undecided { quantity, bits, what })
     }
 }
 
-fn collect(
-    profile: &Profile,
-    formulas: &mut Vec<(Expression, BTreeMap<String, Literal>, Breaks)>,
-) -> std::result::Result<bool, ExpressionError> {
+fn collect(profile: &Profile, terms: &mut Vec<Term>) -> std::result::Result<bool, ExpressionError> {
     match profile {
         Profile::Formula(formula) => {
-            formulas.push((formula.expression.clone(), formula.parameters.clone(), formula.breaks.clone()));
+            let (parameters, breaks) = (formula.parameters.clone(), formula.breaks.clone());
+            terms.push(Term::Formula(formula.expression.clone(), parameters, breaks));
         }
         Profile::Shape(shape) => {
             let (formula, values) = shape.formula()?;
             let breaks = formula.breaks(&values)?;
-            formulas.push((formula, values, breaks));
+            terms.push(Term::Formula(formula, values, breaks));
         }
-        Profile::Sum(terms) => {
-            for term in terms {
-                if !collect(term, formulas)? {
+        Profile::Table(measured) => terms.push(Term::Table(measured.table.clone())),
+        Profile::Sum(others) => {
+            for other in others {
+                if !collect(other, terms)? {
                     return Ok(false);
                 }
             }
         }
-        Profile::Table(_) | Profile::Function(_) | Profile::Wave(_) => return Ok(false),
+        Profile::Function(_) | Profile::Wave(_) => return Ok(false),
     }
     Ok(true)
 }
@@ -80,7 +92,7 @@ fn without_formula(error: ExpressionError) -> Error {
     }
 }
 
-/// Of a profile that has neither formulas nor closed forms.
+/// Of a profile that has neither formulas nor tables nor closed forms.
 pub(crate) fn without_energies() -> Error {
     let (quantity, remedy) = (Quantity::Energy, "energies are not enclosed");
     Error::Unproved { quantity, from: "the profile".to_owned(), to: "the profile".to_owned(), remedy }
@@ -106,7 +118,7 @@ pub(crate) struct Proved<'m> {
     pub(crate) model: &'m Model<Interval>,
     /// At the work of adhesion of the edge of the state.
     contact: Contact<Interval>,
-    /// Where there are formulas of it, on a half-space.
+    /// On the medium, where there are formulas of it and its energies have no closed form.
     profile: Option<Continuation>,
     /// With two works of adhesion, the edge that is in equilibrium.
     pub(crate) edge: Option<Edge>,
@@ -117,9 +129,11 @@ pub(crate) struct Proved<'m> {
 impl<'m> Proved<'m> {
     /// Of states in equilibrium at the work of adhesion of the scene, which may be that of one edge.
     fn new(certified: &Certified<'_>, model: &'m Model<Interval>, precision: Precision) -> Result<Self> {
-        let formulas = certified.formulas()?.filter(|_| certified.scene.medium.is_half_space());
+        let (contact, is_closed) = (model.contact(), certified.scene.has_closed_energies());
+        let formulas = if is_closed { None } else { certified.formulas()? };
         let profile = formulas.map(|formulas| formulas.continued(precision)).transpose()?;
-        Ok(Proved { contact: model.contact(), model, profile, edge: certified.scene.edge, is_between: false })
+        let profile = profile.and_then(|profile| profile.on(contact.medium()));
+        Ok(Proved { contact, model, profile, edge: certified.scene.edge, is_between: false })
     }
 
     /// Of a state between two works of adhesion: at one edge, or pinned.

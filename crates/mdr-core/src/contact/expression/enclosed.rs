@@ -40,20 +40,20 @@ const BESIDE: u32 = 38;
 /// ```
 #[derive(Clone, Debug)]
 pub struct EnclosedFormula {
-    parts: Vec<Option<FormulaPart>>,
-    breaks: Vec<Interval>,
-    jumps: Vec<Option<Vec<Interval>>>,
-    outer: Option<Interval>,
-    known_to: Option<Float>,
+    pub(super) parts: Vec<Option<FormulaPart>>,
+    pub(super) breaks: Vec<Interval>,
+    pub(super) jumps: Vec<Option<Vec<Interval>>>,
+    pub(super) outer: Option<Interval>,
+    pub(super) known_to: Option<Float>,
 }
 
 /// A formula between two breaks, and its analytic continuation.
 #[derive(Clone, Debug)]
 pub struct FormulaPart {
     /// In the precision of bounds, and in that of values.
-    trees: [Node<Interval>; 2],
+    pub(super) trees: [Node<Interval>; 2],
     /// Likewise in q = r^(1/k), with k.
-    rooted: Option<(u32, [Node<Interval>; 2])>,
+    pub(super) rooted: Option<(u32, [Node<Interval>; 2])>,
 }
 
 impl Expression {

@@ -10,6 +10,8 @@ mod jet;
 mod lowest;
 mod parse;
 #[cfg(feature = "mp")]
+mod pieces;
+#[cfg(feature = "mp")]
 mod powers;
 #[cfg(feature = "mp")]
 mod rooted;
@@ -23,6 +25,8 @@ pub use breaks::Breaks;
 pub use enclosed::{EnclosedFormula, FormulaPart};
 #[cfg(feature = "mp")]
 pub use lowest::{FormulaShape, Lowest, LowestRing};
+#[cfg(feature = "mp")]
+pub use pieces::LocalPolynomial;
 
 use std::collections::BTreeMap;
 

@@ -145,7 +145,7 @@ impl Followed {
         folds: &FoldProof,
     ) -> Result<Option<PathNumbers<Number>>> {
         let scene = certified.scene;
-        let begin = Precision::new(self.bits);
+        let begin = start(certified.digits);
         if !certified.encloses_energies()? {
             let falls = energies::of_falls(&self.path, &self.control);
             let of_falls = |falls: PathNumbers<Enclosure>| {
@@ -158,7 +158,9 @@ impl Followed {
                 *self = Followed::new(certified, folds, precision)?;
             }
             let contact = certified.model::<Interval>(precision)?.contact();
-            certified.with_energy(&contact, |energy| energies::of_path(&self.path, &scene.path, &contact, energy))
+            // The states are known to more bits than integrals of few digits need.
+            let path = self.path.map(|number| number.rounded(precision));
+            certified.with_energy(&contact, |energy| energies::of_path(&path, &scene.path, &contact, energy))
         }))
     }
 }
