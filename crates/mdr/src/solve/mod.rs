@@ -10,9 +10,8 @@
 //! | [`certified`] | two precisions | the folds of the search, refined | digits on which both agree |
 //! | [`search`] | f64 | a survey of the tangency ratio | doubles |
 //!
-//! A certified scene is proved where that can be, output by output, and estimated elsewhere: fields and energies of tables, and on other
-//! media than the half-space all but the energies that are closed forms. A scene in f64 is searched, and what f64 does not
-//! hold is proved or estimated in digits.
+//! A certified scene is proved where that can be, output by output, and estimated elsewhere: fields on other media than a half-space, and
+//! energies there of tables and beyond kinks. A scene in f64 is searched, and what f64 does not hold is proved or estimated in digits.
 
 mod admissible;
 #[cfg(feature = "mp")]

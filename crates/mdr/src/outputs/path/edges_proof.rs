@@ -89,13 +89,14 @@ impl Followed {
         if !certified.encloses_energies()? || scene.medium.is_periodic() {
             return Ok(None);
         }
-        let begin = Precision::new(self.bits);
-        reached(decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |precision| {
+        reached(decide_within(MOST_OF_INTEGRALS, start(certified.digits), certified.digits, |precision| {
             if self.bits < precision.bits() {
                 *self = Followed::new(pair, precision)?;
             }
             let contact = certified.model::<Interval>(precision)?.at(Edge::Advancing).contact();
-            certified.with_energy(&contact, |energy| edges_energies::of_path(&self.path, &scene.path, &contact, energy))
+            // The states are known to more bits than integrals of few digits need.
+            let path = self.path.map(|number| number.rounded(precision));
+            certified.with_energy(&contact, |energy| edges_energies::of_path(&path, &scene.path, &contact, energy))
         }))
     }
 
