@@ -26,8 +26,8 @@ use crate::dugdale::{CohesiveState, Dugdale, Ring};
 const STEPS: usize = 12;
 /// A ring ends at a kink if it is so many bits as close to it.
 const AT_KINK: i64 = 24;
-/// The most heights of the profile, counted over intervals: some seconds.
-const MOST: u64 = 1_000_000;
+/// The most heights of the profile for each bit, counted over intervals: about a second at 100 bits.
+const MOST: u64 = 500;
 
 /// A contact with a ring of attraction whose pull-off is enclosed.
 ///
@@ -144,9 +144,10 @@ impl<'a> EnclosedPullOff<'a> {
                 *image = image.clone().inflate(&(rest.abs() * radius));
             }
         }
-        let within = image.iter().zip(&around).all(|(image, around)| {
-            around.lower() < image.lower() && image.upper() < around.upper()
-        });
+        let within = image
+            .iter()
+            .zip(&around)
+            .all(|(image, around)| around.lower() < image.lower() && image.upper() < around.upper());
         let determinant = determinant(&over.slopes);
         let is_minimum = over.grows() && determinant < determinant.lit(0);
         Ok((within && is_minimum).then_some(image))
@@ -196,7 +197,7 @@ impl<'a> EnclosedPullOff<'a> {
     /// Both conditions, with their derivatives, of a ring at whose end f is known.
     fn of(&self, ring: &Ring<Interval>, [height, rise, bend]: &Heights) -> Result<Conditions> {
         let Ring { a, width, c, leg: q, angle } = ring;
-        if !(*a > a.lit(0) && *width > a.lit(0)) || self.profile.work() > MOST {
+        if !(*a > a.lit(0) && *width > a.lit(0)) || self.profile.work() > MOST * u64::from(a.precision()) {
             return Err(unproved(a));
         }
         let moments = moments_at(self.profile, [a, q], c, 2)?;
@@ -212,8 +213,7 @@ impl<'a> EnclosedPullOff<'a> {
         let turn = c.clone() / q * angle;
         let gap_by_c = weighted / c + (turn.clone() - width.clone() / c) * s;
         let inner = moments[1].clone().times(2) + share.clone() * (moments[2].clone() - moments[1].clone() / q);
-        let excess_by_c = quarter * bend / c - inner * (c.clone() / q) * a
-            + level * &lever * c / q.square()
+        let excess_by_c = quarter * bend / c - inner * (c.clone() / q) * a + level * &lever * c / q.square()
             - ((turn.clone() * (angle.clone() * q / a + a.lit(1))).times(2) + a.lit(1)) * s;
         // In a alone; dq/da = −a/q, dθ/da = −1/q.
         let rising = slope.clone() + lever.clone() * s;
