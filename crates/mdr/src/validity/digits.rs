@@ -1,7 +1,7 @@
 //! The validity of the short-range theory in certified digits: enclosures, else two precisions, else doubles.
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Error, Fold, Result};
+use mdr_core::contact::{Error, Fold, Result, Status};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation};
@@ -9,6 +9,7 @@ use mdr_numeric::proof::{EnclosedCurve, EnclosedPullOff};
 use rug::Float;
 
 use super::{Found, Validity, instability};
+use crate::answer::Value;
 use crate::answer::record::Numbers;
 use crate::run::{Counts, lack};
 use crate::scene::Scene;
@@ -41,7 +42,7 @@ impl Found<'_> {
     /// Digits that are proved; `None` if not all are.
     fn proved(&self, digits: u32, counts: &Counts) -> Result<Option<Validity>> {
         let Ok(pull_off) = &self.pull_off else { return Ok(None) };
-        if !self.scene.pressed_into().is_half_space() || self.scene.has_two_works() {
+        if !self.scene.pressed_into().is_half_space() {
             return Ok(None);
         }
         let Some(formulas) = decided(Formulas::of(&self.scene.profile))?.flatten() else { return Ok(None) };
@@ -50,28 +51,13 @@ impl Found<'_> {
             fold => fold,
         };
         let first = Precision::new(start(digits).bits() + pull_off.as_ref().map_or(0, lost_bits));
-        let found = lack(decide_within(MOST_OF_INTEGRALS, first, digits, |precision| {
-            let model = Model::<Interval>::new(self.scene, precision, counts)?;
-            let curve = EnclosedCurve::new(
-                model.contact(),
-                Model::<Dual<Interval>>::new(self.scene, precision, counts)?.contact(),
-            );
-            let fold = match &fold {
-                Ok(fold) => Ok(enclosed(&curve, fold, &model.double(fold.contact_radius))?),
-                Err(error) => Err(error.clone()),
-            };
-            let state = match pull_off {
-                Some(near) => {
-                    let contact = Dugdale::new(model.contact(), &separation(&model.number(self.range)))?;
-                    let profile = formulas.continued(precision)?;
-                    let proof = EnclosedPullOff::new(&contact, &profile);
-                    Some(proof.near(near.contact_radius, near.outer_radius)?)
-                }
-                None => None,
-            };
-            Ok(self.record(&model, fold, |_| Ok(state))?.convert(Enclosure::from))
-        }))?;
-        Ok(found.ok().filter(|validity| !validity.row().is_open()))
+        let proof = Proof { found: self, formulas, fold, pull_off: pull_off.as_ref(), counts };
+        let validity = lack(decide_within(MOST_OF_INTEGRALS, first, digits, |precision| proof.record(precision)))?;
+        let has_all = |validity: &Validity| match (&proof.fold, pull_off) {
+            (Ok(_), Some(_)) => validity.row().status() == Status::Ok,
+            _ => !validity.row().is_open(),
+        };
+        Ok(validity.ok().filter(has_all))
     }
 
     /// Digits on which two precisions agree, near the radii that were found in f64.
@@ -79,16 +65,54 @@ impl Found<'_> {
         agree(digits, |precision| {
             let model = Model::<Float>::new(self.scene, precision, counts)?;
             let folds = self.folds.as_ref().map_err(Clone::clone).and_then(|folds| refined(&model, folds));
-            let record =
-                self.record(&model, folds.as_ref().map_err(Clone::clone).and_then(instability), |contact| match &self
-                    .pull_off
-                {
-                    Ok(Some(state)) => contact.pull_off_near(&model.double(state.contact_radius), KNOWN).map(Some),
-                    Ok(None) => Ok(None),
-                    Err(error) => Err(error.clone()),
-                });
+            let fold = folds.as_ref().map_err(Clone::clone).and_then(instability);
+            let record = self.record(&model, fold, |contact| match &self.pull_off {
+                Ok(Some(state)) => contact.pull_off_near(&model.double(state.contact_radius), KNOWN).map(Some),
+                Ok(None) => Ok(None),
+                Err(error) => Err(error.clone()),
+            });
             Ok(record?.convert(Estimate::exact))
         })
+    }
+}
+
+/// What is enclosed: the fold and the pull-off that were found in f64.
+struct Proof<'p> {
+    found: &'p Found<'p>,
+    formulas: Formulas,
+    fold: Result<Fold<f64>>,
+    pull_off: Option<&'p CohesiveState<f64>>,
+    counts: &'p Counts,
+}
+
+impl Proof<'_> {
+    fn record(&self, precision: Precision) -> Result<Validity<Enclosure>> {
+        let Found { scene, range, .. } = self.found;
+        let model = Model::<Interval>::new(scene, precision, self.counts)?;
+        let slopes = Model::<Dual<Interval>>::new(scene, precision, self.counts)?;
+        let curve = EnclosedCurve::new(model.contact(), slopes.contact());
+        let fold = match &self.fold {
+            Ok(fold) => Ok(enclosed(&curve, fold, &model.double(fold.contact_radius))?),
+            Err(error) => Err(error.clone()),
+        };
+        let state = match self.pull_off {
+            Some(near) => {
+                let contact = Dugdale::new(model.contact(), &separation(&model.number(range)))?;
+                let profile = self.formulas.continued(precision)?;
+                let proof = EnclosedPullOff::new(&contact, &profile);
+                Some(proof.near(near.contact_radius, near.outer_radius)?)
+            }
+            None => None,
+        };
+        let inside = match &fold {
+            Ok(fold) => slope_inside(&model, &fold.contact_radius)?,
+            Err(_) => None,
+        };
+        let mut record = self.found.record(&model, fold, |_| Ok(state))?;
+        if let Some(slope) = inside {
+            record.slope = Value::Known(slope);
+        }
+        Ok(record.convert(Enclosure::from))
     }
 }
 
@@ -98,6 +122,15 @@ fn enclosed(curve: &EnclosedCurve, found: &Fold<f64>, radius: &Interval) -> Resu
     // Its other numbers are not looked at.
     let (indentation, force) = (near.clone(), near.clone());
     curve.refine(&Fold { contact_radius: near, indentation, force, kind: found.kind })
+}
+
+/// Bounds of g' next to a kink of g, on its inner side, where a radius cannot be told from one; `None` elsewhere, and without bounds.
+fn slope_inside(model: &Model<Interval>, a: &Interval) -> Result<Option<Interval>> {
+    let transform = model.transform();
+    let Some(index) = transform.kinks().iter().position(|kink| kink.overlaps(a)) else { return Ok(None) };
+    let margin = a.unit_roundoff();
+    let inside = transform.kink(index, &margin)?.map(|kink| kink.inside);
+    Ok(inside.and_then(|slopes| Some(slopes.least?.hull(&slopes.greatest?))))
 }
 
 /// The bits that a narrow ring takes from the force and from its change against the theory of short range.
