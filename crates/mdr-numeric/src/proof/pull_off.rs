@@ -255,3 +255,7 @@ fn inverse(matrix: &[[Interval; 2]; 2]) -> Option<[[Interval; 2]; 2]> {
 fn times(matrix: &[[Interval; 2]; 2], vector: &[Interval; 2]) -> [Interval; 2] {
     matrix.each_ref().map(|[left, right]| left.clone() * &vector[0] + right.clone() * &vector[1])
 }
+
+#[cfg(test)]
+#[path = "../../tests/private/pull_off.rs"]
+mod tests;

@@ -41,7 +41,11 @@ pub(super) fn of(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -
 impl Found<'_> {
     /// Digits that are proved; `None` if not all are.
     fn proved(&self, digits: u32, counts: &Counts) -> Result<Option<Validity>> {
-        let Ok(pull_off) = &self.pull_off else { return Ok(None) };
+        let pull_off = match &self.pull_off {
+            // A ring that would reach beyond the profile: the other numbers have digits.
+            Err(error) if !matches!(error, Error::Domain { .. }) => return Ok(None),
+            found => found.as_ref().map(Option::as_ref).map_err(Clone::clone),
+        };
         if !self.scene.pressed_into().is_half_space() {
             return Ok(None);
         }
@@ -50,11 +54,12 @@ impl Found<'_> {
             Err(error) if !matches!(error, Error::NoEquilibrium { .. }) => return Ok(None),
             fold => fold,
         };
-        let first = Precision::new(start(digits).bits() + pull_off.as_ref().map_or(0, lost_bits));
-        let proof = Proof { found: self, formulas, fold, pull_off: pull_off.as_ref(), counts };
+        let lost = pull_off.as_ref().ok().copied().flatten().map_or(0, lost_bits);
+        let first = Precision::new(start(digits).bits() + lost);
+        let proof = Proof { found: self, formulas, fold, pull_off, counts };
         let validity = lack(decide_within(MOST_OF_INTEGRALS, first, digits, |precision| proof.record(precision)))?;
-        let has_all = |validity: &Validity| match (&proof.fold, pull_off) {
-            (Ok(_), Some(_)) => validity.row().status() == Status::Ok,
+        let has_all = |validity: &Validity| match (&proof.fold, &proof.pull_off) {
+            (Ok(_), Ok(Some(_))) => validity.row().status() == Status::Ok,
             _ => !validity.row().is_open(),
         };
         Ok(validity.ok().filter(has_all))
@@ -81,7 +86,7 @@ struct Proof<'p> {
     found: &'p Found<'p>,
     formulas: Formulas,
     fold: Result<Fold<f64>>,
-    pull_off: Option<&'p CohesiveState<f64>>,
+    pull_off: Result<Option<&'p CohesiveState<f64>>>,
     counts: &'p Counts,
 }
 
@@ -95,20 +100,21 @@ impl Proof<'_> {
             Ok(fold) => Ok(enclosed(&curve, fold, &model.double(fold.contact_radius))?),
             Err(error) => Err(error.clone()),
         };
-        let state = match self.pull_off {
-            Some(near) => {
+        let state = match &self.pull_off {
+            Ok(Some(near)) => {
                 let contact = Dugdale::new(model.contact(), &separation(&model.number(range)))?;
                 let profile = self.formulas.continued(precision)?;
                 let proof = EnclosedPullOff::new(&contact, &profile);
-                Some(proof.near(near.contact_radius, near.outer_radius)?)
+                Ok(Some(proof.near(near.contact_radius, near.outer_radius)?))
             }
-            None => None,
+            Ok(None) => Ok(None),
+            Err(error) => Err(error.clone()),
         };
         let inside = match &fold {
             Ok(fold) => slope_inside(&model, &fold.contact_radius)?,
             Err(_) => None,
         };
-        let mut record = self.found.record(&model, fold, |_| Ok(state))?;
+        let mut record = self.found.record(&model, fold, |_| state)?;
         if let Some(slope) = inside {
             record.slope = Value::Known(slope);
         }
