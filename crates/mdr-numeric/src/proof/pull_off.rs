@@ -89,7 +89,9 @@ impl<'a> EnclosedPullOff<'a> {
         }
         let is_near = |b: &Interval| (c.clone() - b).abs() < c.lit(2).powi(-AT_KINK) * &c;
         if let Some(edge) = self.contact.contact().vertical_edge().filter(is_near) {
-            return self.at_end(&a, &edge, None);
+            // The last part of the profile ends there.
+            let is_last = self.profile.breaks().iter().all(|b| b.upper() < edge.lower());
+            return if is_last { self.at_end(&a, &edge, None) } else { Err(unproved(&edge)) };
         }
         if let Some(kink) = self.profile.breaks().iter().position(is_near) {
             let end = self.profile.breaks()[kink].rounded(a.ctx());
@@ -129,19 +131,18 @@ impl<'a> EnclosedPullOff<'a> {
         step: &[Interval; 2],
         inverse: &[[Interval; 2]; 2],
     ) -> Result<Option<[Interval; 2]>> {
-        let radius = |i: usize| {
+        let around = [0, 1].map(|i| {
             let rounding = centre[i].unit_roundoff() * &centre[i];
-            (step[i].clone().abs() + rounding).times(2)
-        };
-        let radii = [radius(0), radius(1)];
-        let around = [0, 1].map(|i| centre[i].clone().inflate(&radii[i]));
+            centre[i].clone().inflate(&(step[i].abs() + rounding).times(2))
+        });
         let over = self.conditions(&around)?;
         let mut image = [0, 1].map(|i| centre[i].clone() - &step[i]);
         for (i, image) in image.iter_mut().enumerate() {
-            for (j, radius) in radii.iter().enumerate() {
+            for j in 0..2 {
+                let radius = (around[j].clone() - &centre[j]).abs();
                 let share = inverse[i][0].clone() * &over.slopes[0][j] + inverse[i][1].clone() * &over.slopes[1][j];
                 let rest = share.lit(i64::from(i == j)) - share;
-                *image = image.clone().inflate(&(rest.abs() * radius));
+                *image = image.clone().inflate(&(rest.abs() * &radius));
             }
         }
         let within = image
