@@ -7,6 +7,8 @@
 #[cfg(feature = "mp")]
 mod digits;
 
+use std::cell::OnceCell;
+
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Error, Fold, FoldKind, Result, Status};
 use mdr_core::named;
@@ -161,16 +163,22 @@ struct Found<'s> {
     search: Search<'s>,
     /// The folds of the short-range theory under a dead load.
     folds: Result<Folds<f64>>,
-    /// The pull-off by Maugis and Dugdale; `None` if the contact does not break.
-    pull_off: Result<Option<CohesiveState<f64>>>,
+    pull_off: OnceCell<Result<Option<CohesiveState<f64>>>>,
 }
 
 impl<'s> Found<'s> {
     fn new(scene: &'s Scene, range: &'s Literal, search: Search<'s>) -> Result<Self> {
         let folds = lack(search.folds().cloned())?;
-        let contact = Dugdale::new(search.model.contact(), &separation(&search.model.number(range)));
-        let pull_off = lack(contact.and_then(|contact| contact.pull_off(&radii(&folds))))?;
-        Ok(Found { scene, range, search, folds, pull_off })
+        Ok(Found { scene, range, search, folds, pull_off: OnceCell::new() })
+    }
+
+    /// The pull-off by Maugis and Dugdale, which is looked for once; `None` if the contact does not break.
+    fn pull_off(&self) -> &Result<Option<CohesiveState<f64>>> {
+        self.pull_off.get_or_init(|| {
+            let model = &self.search.model;
+            let contact = Dugdale::new(model.contact(), &separation(&model.number(self.range)))?;
+            contact.pull_off(&radii(&self.folds))
+        })
     }
 
     /// The fold at which the contact breaks or spreads.
@@ -179,7 +187,7 @@ impl<'s> Found<'s> {
     }
 
     fn in_doubles(&self) -> Result<Validity> {
-        let record = self.record(&self.search.model, self.fold(), |_| self.pull_off.clone())?;
+        let record = self.record(&self.search.model, self.fold(), |_| self.pull_off().clone())?;
         Ok(doubles(record.convert(Estimate::exact)))
     }
 

@@ -245,8 +245,10 @@ fn proved_digits_are_those_of_two_precisions() {
 #[cfg(feature = "mp")]
 #[test]
 fn formulas_are_proved() {
-    let shape = certified("kind = \"sphere\"\nradius = 1", "1e-3", 20);
-    let formula = certified("kind = \"expression\"\nformula = \"1 - sqrt(1 - r^2)\"", "1e-3", 20);
+    let waves = "kind = \"wavy-paraboloid\"\nradius = 1\namplitude = 1e-5\nwavelength = 0.1";
+    let shape = certified(waves, "1e-3", 20);
+    let formula = "kind = \"expression\"\nformula = \"r^2/2 + 1e-5*(1 - cos(20*pi*r))\"";
+    let formula = certified(formula, "1e-3", 20);
     assert_eq!(formula.promise(), Promise::Certified);
     assert_eq!(formula.maugis_dugdale_pull_off, shape.maugis_dugdale_pull_off);
     assert_eq!(formula.maugis_dugdale_indentation, shape.maugis_dugdale_indentation);

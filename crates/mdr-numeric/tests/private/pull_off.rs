@@ -33,7 +33,7 @@ fn slopes_bound_differences() {
         let contact = Dugdale::new(contact, &number(1e-3)).expect("a separation");
         let profile = Continuation::new(vec![bound()]).expect("kinks apart");
         let proof = EnclosedPullOff::new(&contact, &profile);
-        let far = [number(a * (1.0 + 1e-9)), number(width * (1.0 - 2e-9))];
+        let far = [number(a * (1.0 + 1e-13)), number(width * (1.0 - 2e-13))];
         let near = [number(a), number(width)];
         let both = [0, 1].map(|i| near[i].hull(&far[i]));
         let [one, other, over] = [&near, &far, &both].map(|place| proof.conditions(place).expect("conditions"));

@@ -30,18 +30,20 @@ const SAME_FOLD: i64 = 30;
 /// # Errors
 /// A number of the scene that is out of its domain; [`Error::Stopped`].
 pub(super) fn of(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Result<Validity> {
-    let search = if scene.is_closed() { Search::of_lengths(scene, counts) } else { Search::new(scene, counts) };
-    let found = Found::new(scene, range, search?)?;
-    if let Some(proved) = found.proved(digits, counts)? {
-        return Ok(proved);
+    if scene.is_closed() {
+        let found = Found::new(scene, range, Search::of_lengths(scene, counts)?)?;
+        return found.proved(digits, counts)?.map_or_else(|| found.agreed(digits, counts), Ok);
     }
-    if scene.is_closed() { found.agreed(digits, counts) } else { found.in_doubles() }
+    // First the doubles, which a proof that spends the budget could cost.
+    let found = Found::new(scene, range, Search::new(scene, counts)?)?;
+    let doubles = found.in_doubles()?;
+    Ok(found.proved(digits, counts)?.unwrap_or(doubles))
 }
 
 impl Found<'_> {
     /// Digits that are proved; `None` if not all are.
     fn proved(&self, digits: u32, counts: &Counts) -> Result<Option<Validity>> {
-        let pull_off = match &self.pull_off {
+        let pull_off = match self.pull_off() {
             // A ring that would reach beyond the profile: the other numbers have digits.
             Err(error) if !matches!(error, Error::Domain { .. }) => return Ok(None),
             found => found.as_ref().map(Option::as_ref).map_err(Clone::clone),
@@ -71,7 +73,7 @@ impl Found<'_> {
             let model = Model::<Float>::new(self.scene, precision, counts)?;
             let folds = self.folds.as_ref().map_err(Clone::clone).and_then(|folds| refined(&model, folds));
             let fold = folds.as_ref().map_err(Clone::clone).and_then(instability);
-            let record = self.record(&model, fold, |contact| match &self.pull_off {
+            let record = self.record(&model, fold, |contact| match self.pull_off() {
                 Ok(Some(state)) => contact.pull_off_near(&model.double(state.contact_radius), KNOWN).map(Some),
                 Ok(None) => Ok(None),
                 Err(error) => Err(error.clone()),
