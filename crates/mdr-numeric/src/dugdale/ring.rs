@@ -21,7 +21,8 @@ pub(crate) struct Ring<R> {
 }
 
 impl<R: Special> Dugdale<R> {
-    /// s.
+    /// s, for enclosures.
+    #[cfg(feature = "mp")]
     pub(crate) fn strength(&self) -> &R {
         &self.strength
     }
