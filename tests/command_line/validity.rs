@@ -13,7 +13,7 @@ fn a_critical_state_with_a_range() {
     let validity = &answer["validity"];
     assert_eq!(text(validity, "tabor"), "0.33333333333333333333");
     assert_eq!(text(validity, "regime"), "transition");
-    assert_eq!(answer["promise"]["validity"], "mp");
+    assert_eq!(answer["promise"]["validity"], "certified");
     let correction = number(&validity["maugis_dugdale_pull_off"]) / number(&validity["jkr_pull_off"]) - 1.0;
     assert!((number(&validity["correction"]) - correction).abs() < 1e-12);
     assert!(critical(TIP).get("validity").is_none(), "without the range nothing changes");
@@ -31,7 +31,7 @@ fn a_critical_state_with_a_range() {
 
 #[test]
 fn a_scene_with_a_range() {
-    for (flags, promise) in [("", "mp"), ("--f64", "f64")] {
+    for (flags, promise) in [("", "certified"), ("--f64", "f64")] {
         let answer = solved(SCENE, flags);
         assert_eq!(answer["promise"]["validity"], promise);
         assert!((number(&answer["validity"]["tabor"]) - 1.0 / 3.0).abs() < 1e-12);

@@ -24,7 +24,7 @@ use mdr_core::number::{Special, order};
 use crate::contact::{Contact, negligible};
 
 pub use graded::state_on_graded;
-use ring::Ring;
+pub(crate) use ring::Ring;
 
 /// The range of adhesion, for errors.
 const RANGE: Quantity = Quantity::Parameter("the range of adhesion");
@@ -307,8 +307,7 @@ impl<R: Special> Dugdale<R> {
 
     /// The gap at the end of a ring minus h₀, times π/2.
     fn excess_gap(&self, ring: &Ring<R>) -> Result<R> {
-        let elastic = self.strength.clone() * ring.opening();
-        let limit = (self.separation.clone() * elastic.pi()).over(2);
+        let (elastic, limit) = (self.opening(ring), self.needed_opening());
         let needed = negligible(&(elastic.clone() + &limit));
         let level = self.curve.transform().g_within(&ring.a, &needed)?;
         // g(x) − g(a) cannot be better than its terms.
@@ -324,8 +323,7 @@ impl<R: Special> Dugdale<R> {
 
     /// ∫₀^θ x g'(x) dφ − s (c²θ²/a + c − a): positive where the force grows with the contact.
     fn excess(&self, ring: &Ring<R>) -> Result<R> {
-        let Ring { a, c, angle, width, .. } = ring;
-        let elastic = (c.clone() / a * angle * (c.clone() * angle) + width) * &self.strength;
+        let (Ring { a, .. }, elastic) = (ring, self.pull(ring));
         // Where g' has an inverse root half of the digits are left, and as the force is stationary that is enough for it.
         let half = a.unit_roundoff().sqrt().times(4096);
         let tolerance = Tolerance::of_cancelling(a)
@@ -343,7 +341,7 @@ impl<R: Special> Dugdale<R> {
         Ok(weighted.value - elastic)
     }
 
-    fn state_of(&self, ring: &Ring<R>) -> Result<CohesiveState<R>> {
+    pub(crate) fn state_of(&self, ring: &Ring<R>) -> Result<CohesiveState<R>> {
         let Ring { a, c, leg, angle, .. } = ring;
         let depth = self.strength.clone() * leg;
         let indentation = self.curve.transform().g_within(a, &negligible(&depth))? - depth;

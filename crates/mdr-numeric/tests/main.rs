@@ -14,6 +14,8 @@ mod path_energy;
 mod pinned;
 mod printed;
 #[cfg(feature = "mp")]
+mod pull_off;
+#[cfg(feature = "mp")]
 mod range;
 #[cfg(feature = "mp")]
 mod rigorous;

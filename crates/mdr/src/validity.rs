@@ -4,11 +4,15 @@
 //! by far more than the range z₀ of the attraction: the generalised Tabor number μ = Δl(a)/(c_T z₀), c_T = √(2π(9π/8)^(1/3)), is
 //! large. For a paraboloid it is Tabor's own (Rw²/(E*²z₀³))^(1/3). Formulas and sources are in [`mdr_numeric::dugdale`].
 
+#[cfg(feature = "mp")]
+mod digits;
+
+use std::cell::OnceCell;
+
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Error, Fold, FoldKind, Result, Status};
 use mdr_core::named;
 use mdr_core::number::{Literal, Real};
-use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation, tabor_number};
 use mdr_numeric::folds::Folds;
 
@@ -105,8 +109,10 @@ impl Validity {
         self.rows().remove(0)
     }
 
-    /// How far its numbers can be trusted: in certified digits two precisions agree on them, but of formulas and tables, whose
-    /// numbers are always doubles.
+    /// How far its numbers can be trusted. In certified digits every digit is proved, on a homogeneous half-space of shapes, formulas
+    /// and their sums: at `contact_radius` there is a fold, and a minimum of the force along the states with a ring has these numbers.
+    /// That no other minimum is lower is found by a search in f64, as `regime` and `admissible` are. Where a proof does not succeed, two
+    /// precisions agree on the digits of shapes, and the numbers of formulas are doubles, as those of tables always are.
     pub fn promise(&self) -> Promise {
         let numbers = [&self.tabor, &self.contact_radius, &self.maugis_dugdale_pull_off, &self.slope];
         numbers.into_iter().find_map(Value::promise).unwrap_or(Promise::F64)
@@ -143,103 +149,111 @@ pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
     let scene = &scene.clone().control(Control::Force);
     Ok(Some(match scene.arithmetic {
         #[cfg(feature = "mp")]
-        crate::scene::Arithmetic::Certified { digits } if scene.is_closed() => in_digits(scene, range, digits, counts)?,
-        _ => {
-            let search = Search::new(scene, counts)?;
-            let folds = lack(search.folds().cloned())?;
-            let pull_off = |dugdale: &Dugdale<f64>| dugdale.pull_off(&radii(&folds));
-            doubles(record(scene, &search.model, range, &folds, &search.admissibility(), pull_off)?)
+        crate::scene::Arithmetic::Certified { digits } if scene.is_closed() || scene.is_enclosed() => {
+            digits::of(scene, range, digits, counts)?
         }
+        _ => Found::new(scene, range, Search::new(scene, counts)?)?.in_doubles()?,
     }))
 }
 
-/// Digits on which two precisions agree, near the radii that were found in f64.
-#[cfg(feature = "mp")]
-fn in_digits(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Result<Validity> {
-    use rug::Float;
+/// What a search in f64 finds, from which other arithmetics start.
+struct Found<'s> {
+    scene: &'s Scene,
+    range: &'s Literal,
+    search: Search<'s>,
+    /// The folds of the short-range theory under a dead load.
+    folds: Result<Folds<f64>>,
+    pull_off: OnceCell<Result<Option<CohesiveState<f64>>>>,
+}
 
-    use crate::solve::digits::agree;
-    use crate::solve::refine::refined;
-    /// Bits of a contact radius at which f64 finds the force stationary.
-    const KNOWN: i64 = 24;
-    let search = Search::of_lengths(scene, counts)?;
-    let folds = lack(search.folds().cloned())?;
-    let model = &search.model;
-    let curve = model.contact();
-    let start =
-        Dugdale::new(curve, &separation(&model.number(range))).and_then(|dugdale| dugdale.pull_off(&radii(&folds)));
-    agree(digits, |precision| {
-        let model = Model::<Float>::new(scene, precision, counts)?;
-        let folds = lack(folds.as_ref().map_err(Clone::clone).and_then(|folds| refined(&model, folds)))?;
-        record(scene, &model, range, &folds, &search.admissibility(), |dugdale| match &start {
-            Ok(Some(state)) => dugdale.pull_off_near(&model.double(state.contact_radius), KNOWN).map(Some),
-            Ok(None) => Ok(None),
-            Err(error) => Err(error.clone()),
+impl<'s> Found<'s> {
+    fn new(scene: &'s Scene, range: &'s Literal, search: Search<'s>) -> Result<Self> {
+        let folds = lack(search.folds().cloned())?;
+        Ok(Found { scene, range, search, folds, pull_off: OnceCell::new() })
+    }
+
+    /// The pull-off by Maugis and Dugdale, which is looked for once; `None` if the contact does not break.
+    fn pull_off(&self) -> &Result<Option<CohesiveState<f64>>> {
+        self.pull_off.get_or_init(|| {
+            let model = &self.search.model;
+            let contact = Dugdale::new(model.contact(), &separation(&model.number(self.range)))?;
+            contact.pull_off(&radii(&self.folds))
         })
-    })
+    }
+
+    /// The fold at which the contact breaks or spreads.
+    fn fold(&self) -> Result<Fold<f64>> {
+        self.folds.as_ref().map_err(Clone::clone).and_then(instability)
+    }
+
+    fn in_doubles(&self) -> Result<Validity> {
+        let record = self.record(&self.search.model, self.fold(), |_| self.pull_off().clone())?;
+        Ok(doubles(record.convert(Estimate::exact)))
+    }
+
+    /// The record, from a contact, its fold and its pull-off in an arithmetic.
+    fn record<R: SceneReal>(
+        &self,
+        model: &Model<R>,
+        fold: Result<Fold<R>>,
+        pull_off: impl FnOnce(&Dugdale<R>) -> Result<Option<CohesiveState<R>>>,
+    ) -> Result<Validity<R>> {
+        let (curve, z0) = (model.contact(), model.number(self.range));
+        let fold = lack(fold)?;
+        let at = |of: &dyn Fn(&R) -> Result<R>| {
+            value(fold.as_ref().map_err(Clone::clone).and_then(|fold| of(&fold.contact_radius)))
+        };
+        let tabor = at(&|a| tabor_number(&curve, a, &z0))?;
+        let regime = match &tabor {
+            Value::Known(tabor) => AdhesionRegime::of(tabor.approx()),
+            _ => AdhesionRegime::Unknown,
+        };
+        let jkr = match &fold {
+            Ok(fold) if fold.kind == FoldKind::Minimum => Some(Value::Known(fold.force.clone())),
+            _ => vanishes(model, fold.as_ref().ok())?.then(|| Value::Given(0.into())),
+        };
+        let state = lack(Dugdale::new(curve, &separation(&z0)).and_then(|dugdale| pull_off(&dugdale)))?;
+        let part = |part: fn(&CohesiveState<R>) -> &R| match &state {
+            Ok(Some(state)) => Ok(Value::Known(part(state).clone())),
+            Ok(None) => Ok(Value::unknown(Status::NoEquilibrium, "the contact spreads by itself and does not break")),
+            Err(error) => value(Err(error.clone())),
+        };
+        let force = part(|state| &state.force)?;
+        let correction = match (&force, &jkr) {
+            (Value::Known(force), Some(Value::Known(jkr))) => Some(Value::Known(force.clone() / jkr - jkr.lit(1))),
+            _ => None,
+        };
+        let curvature = match self.scene.profile() {
+            Profile::Shape(shape) => shape.curvature_radius(),
+            _ => None,
+        };
+        let a_over_r = curvature.map(|radius| at(&|a| Ok(a.clone() / model.number(radius)))).transpose()?;
+        let admissibility = self.search.admissibility();
+        let admissible = fold
+            .as_ref()
+            .ok()
+            .map(|fold| Admission::of(verdict(&admissibility, &fold.contact_radius, &fold.indentation)));
+        Ok(Validity {
+            range_of_adhesion: self.range.clone(),
+            tabor,
+            regime,
+            contact_radius: at(&|a| Ok(a.clone()))?,
+            jkr_pull_off: jkr,
+            maugis_dugdale_pull_off: force,
+            correction,
+            maugis_dugdale_contact_radius: part(|state| &state.contact_radius)?,
+            maugis_dugdale_outer_radius: part(|state| &state.outer_radius)?,
+            maugis_dugdale_indentation: part(|state| &state.indentation)?,
+            slope: at(&|a| model.transform().slope(a))?,
+            a_over_r: Optional(a_over_r),
+            admissible,
+        })
+    }
 }
 
 /// Where the search for the pull-off begins.
 fn radii<R: Real>(folds: &Result<Folds<R>>) -> Vec<R> {
     folds.iter().flat_map(|folds| folds.iter().map(|fold| fold.contact_radius.clone())).collect()
-}
-
-fn record<R: SceneReal>(
-    scene: &Scene,
-    model: &Model<R>,
-    range: &Literal,
-    folds: &Result<Folds<R>>,
-    admissibility: &Admissibility,
-    pull_off: impl FnOnce(&Dugdale<R>) -> Result<Option<CohesiveState<R>>>,
-) -> Result<Validity<Estimate<R>>> {
-    let (curve, z0) = (model.contact(), model.number(range));
-    let fold = lack(folds.as_ref().map_err(Clone::clone).and_then(|folds| instability(folds)))?;
-    let at = |of: &dyn Fn(&R) -> Result<R>| {
-        value(fold.as_ref().map_err(Clone::clone).and_then(|fold| of(&fold.contact_radius)))
-    };
-    let tabor = at(&|a| tabor_number(&curve, a, &z0))?;
-    let regime = match &tabor {
-        Value::Known(tabor) => AdhesionRegime::of(tabor.approx()),
-        _ => AdhesionRegime::Unknown,
-    };
-    let jkr = match &fold {
-        Ok(fold) if fold.kind == FoldKind::Minimum => Some(Value::Known(fold.force.clone())),
-        _ => vanishes(model, fold.as_ref().ok())?.then(|| Value::Given(0.into())),
-    };
-    let state = lack(Dugdale::new(curve, &separation(&z0)).and_then(|dugdale| pull_off(&dugdale)))?;
-    let part = |part: fn(&CohesiveState<R>) -> &R| match &state {
-        Ok(Some(state)) => Ok(Value::Known(part(state).clone())),
-        Ok(None) => Ok(Value::unknown(Status::NoEquilibrium, "the contact spreads by itself and does not break")),
-        Err(error) => value(Err(error.clone())),
-    };
-    let force = part(|state| &state.force)?;
-    let correction = match (&force, &jkr) {
-        (Value::Known(force), Some(Value::Known(jkr))) => Some(Value::Known(force.clone() / jkr - jkr.lit(1))),
-        _ => None,
-    };
-    let curvature = match scene.profile() {
-        Profile::Shape(shape) => shape.curvature_radius(),
-        _ => None,
-    };
-    let a_over_r = curvature.map(|radius| at(&|a| Ok(a.clone() / model.number(radius)))).transpose()?;
-    let admissible =
-        fold.as_ref().ok().map(|fold| Admission::of(verdict(admissibility, &fold.contact_radius, &fold.indentation)));
-    let validity = Validity {
-        range_of_adhesion: range.clone(),
-        tabor,
-        regime,
-        contact_radius: at(&|a| Ok(a.clone()))?,
-        jkr_pull_off: jkr,
-        maugis_dugdale_pull_off: force,
-        correction,
-        maugis_dugdale_contact_radius: part(|state| &state.contact_radius)?,
-        maugis_dugdale_outer_radius: part(|state| &state.outer_radius)?,
-        maugis_dugdale_indentation: part(|state| &state.indentation)?,
-        slope: at(&|a| model.transform().slope(a))?,
-        a_over_r: Optional(a_over_r),
-        admissible,
-    };
-    Ok(validity.convert(Estimate::exact))
 }
 
 /// The state at which the contact breaks under a dead load: the lowest minimum of the force; else the fold beyond which it

@@ -136,8 +136,9 @@ fn pieces(
         let share: Vec<Float> =
             goal.tolerances.iter().map(|tolerance| Float::with_val(BOUND_BITS, tolerance * &half) / &length).collect();
         let at_end = piece.lower == *lower;
-        match best_rule(f, &middle, &half, piece.ellipse, &share) {
-            Some(rule) if rule.nodes <= goal.bits as usize / 2 + 8 => {
+        let most = goal.bits as usize / 2 + 8;
+        match best_rule(f, [&middle, &half], piece.ellipse, &share, most) {
+            Some(rule) if rule.nodes <= most => {
                 let values = rule.sum(f, [&middle, &half], goal.bits)?;
                 let values = values.ok_or_else(|| open("an integral, whose integrand is not defined at a node"))?;
                 for ((sum, value), bound) in sums.iter_mut().zip(values).zip(&rule.bounds) {
@@ -226,14 +227,21 @@ impl Rule {
     }
 }
 
-/// The rule with the fewest nodes: from one ellipse to larger ones while that helps, else to smaller ones. No ellipse is
-/// larger than one on which a function is not analytic.
-fn best_rule(f: &impl Sampled, middle: &Float, half: &Float, from: usize, tolerances: &[Float]) -> Option<Rule> {
+/// The rule with the fewest nodes: from one ellipse to larger ones while that helps, else to smaller ones; where more than `most`
+/// are too many, also while it does no harm. No ellipse is larger than one on which a function is not analytic.
+fn best_rule(
+    f: &impl Sampled,
+    [middle, half]: [&Float; 2],
+    from: usize,
+    tolerances: &[Float],
+    most: usize,
+) -> Option<Rule> {
     let mut best: Option<Rule> = None;
     let mut consider = |ellipse: usize| {
         let bounds = bounds(f, middle, half, ELLIPSES[ellipse])?;
         let nodes = nodes_for(&bounds, half, ELLIPSES[ellipse], tolerances);
-        let better = best.as_ref().is_none_or(|best| nodes < best.nodes);
+        // Rules come in steps: a larger ellipse may need as many nodes, and the next one fewer.
+        let better = best.as_ref().is_none_or(|best| nodes < best.nodes || nodes == best.nodes && nodes > most);
         if better {
             best = Some(Rule { nodes, ellipse, bounds });
         }

@@ -5,18 +5,43 @@ use mdr_core::calculus::{Estimate, Tolerance};
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::Special;
 
+use super::Dugdale;
 use crate::transform::strides::strides;
 
 /// The ring of attraction: its width y = c − a, which may be far below a.
 #[derive(Clone)]
-pub(super) struct Ring<R> {
-    pub(super) a: R,
-    pub(super) width: R,
-    pub(super) c: R,
+pub(crate) struct Ring<R> {
+    pub(crate) a: R,
+    pub(crate) width: R,
+    pub(crate) c: R,
     /// q.
-    pub(super) leg: R,
+    pub(crate) leg: R,
     /// θ.
-    pub(super) angle: R,
+    pub(crate) angle: R,
+}
+
+impl<R: Special> Dugdale<R> {
+    /// s, for enclosures.
+    #[cfg(feature = "mp")]
+    pub(crate) fn strength(&self) -> &R {
+        &self.strength
+    }
+
+    /// (π/2) h₀.
+    pub(crate) fn needed_opening(&self) -> R {
+        (self.separation.clone() * self.separation.pi()).over(2)
+    }
+
+    /// s (q θ − (c − a)), what the attraction in a ring adds to the gap at its end, times π/2.
+    pub(crate) fn opening(&self, ring: &Ring<R>) -> R {
+        self.strength.clone() * ring.opening()
+    }
+
+    /// s (c²θ²/a + c − a), where the force is stationary the integral of x g' over the ring.
+    pub(crate) fn pull(&self, ring: &Ring<R>) -> R {
+        let Ring { a, c, angle, width, .. } = ring;
+        (c.clone() / a * angle * (c.clone() * angle) + width) * &self.strength
+    }
 }
 
 /// The part of a ring between two neighbouring kinks, or between one of them and an edge of the ring.
@@ -39,13 +64,13 @@ struct Piece<'a, R> {
 const STRIDES: i64 = 64;
 
 impl<R: Special> Ring<R> {
-    pub(super) fn new(a: &R, width: &R) -> Self {
+    pub(crate) fn new(a: &R, width: &R) -> Self {
         let leg = width.sqrt() * (a.clone().times(2) + width).sqrt();
         Ring { a: a.clone(), width: width.clone(), c: a.clone() + width, angle: (leg.clone() / a).atan(), leg }
     }
 
     /// q θ − (c − a).
-    pub(super) fn opening(&self) -> R {
+    pub(crate) fn opening(&self) -> R {
         self.leg.clone() * &self.angle - &self.width
     }
 
@@ -55,7 +80,7 @@ impl<R: Special> Ring<R> {
     /// Otherwise the integral is cut there. The distance δ from a kink is known to the integrand where x is rounded, and an
     /// f with up to an inverse root of δ is taken as the smooth f √δ at the rounded x over the root of the exact δ: the
     /// rounding of x is then the same small change in f √δ everywhere.
-    pub(super) fn integral(
+    pub(crate) fn integral(
         &self,
         kinks: &[R],
         tolerance: &Tolerance<R>,
@@ -77,7 +102,7 @@ impl<R: Special> Ring<R> {
     /// The error of ∫ₐᶜ f(x)/√(c² − x²) dx of a continuous f that changes in one direction between kinks, as x is rounded: over
     /// a piece from p to q it is u c |f(q) − f(p)|/(q − p) times ∫ dx/√(c² − x²) < 2 √((q − p)/(c + p)), twice for an f that
     /// begins with a root of the distance. The largest of all pieces; 0 where there is one piece, over which f is smooth.
-    pub(super) fn rounding(&self, kinks: &[R], mut f: impl FnMut(&R) -> Result<R>) -> Result<R> {
+    pub(crate) fn rounding(&self, kinks: &[R], mut f: impl FnMut(&R) -> Result<R>) -> Result<R> {
         let mut largest = self.a.lit(0);
         for piece in self.pieces(kinks) {
             let zero = self.a.lit(0);

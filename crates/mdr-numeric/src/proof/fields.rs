@@ -205,13 +205,25 @@ pub(super) fn stiffness(contact: &Contact<Interval>, a: &Interval) -> Result<Int
     contact.stiffness_along(a)?.filter(Real::is_finite).ok_or_else(open)
 }
 
-/// dᵏ/dcᵏ c ∫₀^{π/2} sinθ f(a sinθ)/(c² + a² cos²θ) dθ for k from 0 to `order` ≤ 2, where c² = r² − a², at r > a. A contact may end at
-/// a kink, to as many bits as that is known.
+/// [`moments_at`] the leg c² = r² − a² of a radius r > a.
 ///
 /// # Errors
-/// [`Error::Unproved`] where an integral takes too many pieces.
+/// [`moments_at`].
 pub(super) fn moments(profile: &Continuation, a: &Interval, r: &Interval, order: usize) -> Result<Vec<Interval>> {
-    let c = leg(r, a);
+    moments_at(profile, [a, &leg(r, a)], r, order)
+}
+
+/// dᵏ/dcᵏ c ∫₀^{π/2} sinθ f(a sinθ)/(c² + a² cos²θ) dθ for k from 0 to `order` ≤ 2, at c > 0. A contact may end at a kink, to as
+/// many bits as that is known.
+///
+/// # Errors
+/// [`Error::Unproved`], with the radius that is asked for, where an integral takes too many pieces.
+pub(super) fn moments_at(
+    profile: &Continuation,
+    [a, c]: [&Interval; 2],
+    asked: &Interval,
+    order: usize,
+) -> Result<Vec<Interval>> {
     let breaks = profile.breaks();
     let inside = breaks.partition_point(|b| b.upper() < a.lower());
     let angle = |b: &Interval| Special::asin(&(b.rounded(a.ctx()) / a));
@@ -222,11 +234,11 @@ pub(super) fn moments(profile: &Continuation, a: &Interval, r: &Interval, order:
     let (mut from, mut sums) = (a.lit(0), vec![a.lit(0); order + 1]);
     let kernel = |beyond: usize, from: &Interval, to: &Interval| {
         let (from, width) = (from.clone(), to.clone() - from);
-        Kernel { profile, a, c: &c, order, beyond, from, width }
+        Kernel { profile, a, c, order, beyond, from, width }
     };
     for (beyond, to) in ends.enumerate() {
         let parts = all_over_unit_interval(&kernel(beyond, &from, &to), a.precision());
-        let parts = parts.map_err(|error| located(error, r))?;
+        let parts = parts.map_err(|error| located(error, asked))?;
         sums.iter_mut().zip(&parts).for_each(|(sum, part)| *sum += part);
         from = to;
     }
@@ -234,7 +246,7 @@ pub(super) fn moments(profile: &Continuation, a: &Interval, r: &Interval, order:
         // Either part of f, up to the edge.
         let all = a.lit(0).hull(&a.lit(1));
         let [before, after] = [inside, inside + 1].map(|beyond| kernel(beyond, &last, &quarter).at(&all));
-        let (Some(before), Some(after)) = (before, after) else { return Err(unproved(r)) };
+        let (Some(before), Some(after)) = (before, after) else { return Err(unproved(asked)) };
         sums.iter_mut().zip(before.iter().zip(&after)).for_each(|(sum, (one, other))| *sum += &one.hull(other));
     }
     Ok(sums)

@@ -22,6 +22,7 @@ mod fields;
 mod gaps;
 mod kinks;
 mod overlap;
+mod pull_off;
 mod range;
 mod squares;
 mod stretch;
@@ -33,6 +34,7 @@ pub use energy::{EnclosedEnergy, StoredEnergy};
 pub use extrema::rises_from;
 pub use fields::EnclosedFields;
 pub use gaps::EnclosedGaps;
+pub use pull_off::EnclosedPullOff;
 pub use range::range;
 
 use mdr_core::calculus::isolate::{Behaviour, isolate};

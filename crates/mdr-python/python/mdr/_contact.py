@@ -574,7 +574,7 @@ class Contact:
             The range z₀ of the attraction in m, or with its unit: ``"0.3 nm"``. There is no default: 0.16 nm and 0.3 nm are
             both in use.
         digits : int, optional
-            So many digits on which two precisions agree, as ``Decimal``; doubles without.
+            So many digits, as ``Decimal``, proved where that can be; doubles without.
 
         Returns
         -------
