@@ -27,7 +27,7 @@ use crate::run::Counts;
 use crate::scene::Scene;
 
 /// Up to this many rows the folds of a table are proved, within some seconds: the cost grows with the rows.
-pub(super) const PROVED_ROWS: usize = 1000;
+pub(crate) const PROVED_ROWS: usize = 1000;
 
 /// Answers a scene with certified digits. An f64 search supplies starting points and never contributes a digit.
 pub(crate) struct Certified<'s> {
