@@ -8,7 +8,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit python nanite oracle jkr capi book site site-test site-tools nanite-tools
+.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit peers-states python nanite oracle jkr capi book site site-test site-tools nanite-tools
 
 # In the profile of the tests, with which it shares what is compiled: nearly all of its time is MPFR's, so a release is no faster.
 verify: deps
@@ -90,6 +90,10 @@ peers: build
 peers-fit: python
 	target/python-package/bin/python -m pip install --quiet scipy
 	target/python-package/bin/python scripts/peers_fit.py
+
+# States in arrays beside numpy.
+peers-states: python
+	target/python-package/bin/python scripts/peers_states.py
 
 deps:
 	@sh scripts/deps.sh

@@ -7,7 +7,7 @@ use mdr::answer::Field;
 use mdr::columns::{Choice, ContactColumns, Event, State, States};
 use mdr::critical::{PowerLaw, critical};
 use mdr::prelude::{Arithmetic, Control, Literal, Scene, Start, Status, Stop, Value, Want};
-use numpy::{PyArray1, PyReadonlyArray1};
+use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -166,16 +166,36 @@ impl ContactClass {
         largest: bool,
     ) -> PyResult<(Columns<'py>, Codes<'py>)> {
         let (values, control) = (values.as_slice()?, control(held, stiffness)?);
-        let choice = if largest { Choice::Largest } else { Choice::Smallest };
-        let states = self.asked(py, &control, |stop| self.columns.until(stop).states(&control, values, choice))?;
-        Ok(columns(py, states.map_err(of_contact)?))
+        let columns = [(); 3].map(|()| PyArray1::zeros(py, values.len(), false));
+        let status = PyArray1::zeros(py, values.len(), false);
+        let mut held = columns.each_ref().map(|column| column.readwrite());
+        let mut codes = status.readwrite();
+        let [a, d, force] = &mut held;
+        let mut rows = Rows {
+            numbers: [a.as_slice_mut()?, d.as_slice_mut()?, force.as_slice_mut()?],
+            codes: codes.as_slice_mut()?,
+            filled: 0,
+        };
+        let choice = choice(largest);
+        let ask =
+            |stop: &Stop| self.columns.until(stop).states_by_blocks(&control, values, choice, |block| rows.fill(block));
+        self.asked(py, &control, values.len(), ask)?.map_err(of_contact)?;
+        let [a, d, force] = columns;
+        Ok(((a, d, force), status))
     }
 
     /// a, d, F and status of the stable equilibrium at one value, which without arrays takes a tenth of the time.
-    fn state(&self, py: Python<'_>, value: f64, held: &str, largest: bool) -> PyResult<(Row, i8)> {
-        let control = control(held, None)?;
-        let choice = if largest { Choice::Largest } else { Choice::Smallest };
-        let states = self.asked(py, &control, |stop| self.columns.until(stop).states(&control, &[value], choice))?;
+    #[pyo3(signature = (value, held, stiffness, largest))]
+    fn state(
+        &self,
+        py: Python<'_>,
+        value: f64,
+        held: &str,
+        stiffness: Option<f64>,
+        largest: bool,
+    ) -> PyResult<(Row, i8)> {
+        let (control, choice) = (control(held, stiffness)?, choice(largest));
+        let states = self.asked(py, &control, 1, |stop| self.columns.until(stop).states(&control, &[value], choice))?;
         let states = states.map_err(of_contact)?;
         Ok(((states.contact_radius[0], states.indentation[0], states.force[0]), code(&states.status[0])))
     }
@@ -190,7 +210,8 @@ impl ContactClass {
         stiffness: Option<f64>,
     ) -> PyResult<Found<'py>> {
         let (values, control) = (values.as_slice()?, control(held, stiffness)?);
-        let found = self.asked(py, &control, |stop| self.columns.until(stop).equilibria(&control, values))?;
+        let found =
+            self.asked(py, &control, values.len(), |stop| self.columns.until(stop).equilibria(&control, values))?;
         let found = found.map_err(of_contact)?;
         let [a, d, force] = [found.contact_radius, found.indentation, found.force].map(|rows| column(py, rows));
         let [admissible, stable] = [found.admissible, found.stable].map(|flags| PyArray1::from_vec(py, flags));
@@ -235,17 +256,42 @@ impl ContactClass {
 }
 
 impl ContactClass {
-    /// Closed forms of power laws take nanoseconds a value, and a thread is not worth its start.
+    /// Closed forms of power laws take nanoseconds a value, and a state after others microseconds: a thread is not worth its start.
     fn asked<T: Send>(
         &self,
         py: Python<'_>,
         control: &Control<f64>,
+        values: usize,
         work: impl FnOnce(&Stop) -> T + Send,
     ) -> PyResult<T> {
-        match (&self.law, control) {
-            (Some(_), Control::Indentation | Control::Force) => detached(py, || work(&Stop::default())),
-            _ => interruptible(py, work),
+        let is_short = match (&self.law, control) {
+            (Some(_), Control::Indentation | Control::Force) => true,
+            _ => values <= FEW && self.columns.is_prepared(control),
+        };
+        if is_short { detached(py, || work(&Stop::default())) } else { interruptible(py, work) }
+    }
+}
+
+/// So many searches take less time than a signal may wait.
+const FEW: usize = 4;
+
+/// Columns of states that are filled block by block.
+struct Rows<'a> {
+    /// a, d and F.
+    numbers: [&'a mut [f64]; 3],
+    codes: &'a mut [i8],
+    filled: usize,
+}
+
+impl Rows<'_> {
+    fn fill(&mut self, block: &States) {
+        let rows = self.filled..self.filled + block.status.len();
+        let columns = [&block.contact_radius, &block.indentation, &block.force];
+        for (numbers, column) in self.numbers.iter_mut().zip(columns) {
+            numbers[rows.clone()].copy_from_slice(column);
         }
+        enter_codes(&mut self.codes[rows.clone()], &block.status);
+        self.filled = rows.end;
     }
 }
 
@@ -339,7 +385,22 @@ fn code(status: &Status) -> i8 {
 }
 
 fn codes<'py>(py: Python<'py>, statuses: &[Status]) -> Codes<'py> {
-    PyArray1::from_vec(py, statuses.iter().map(code).collect())
+    let mut codes = vec![0; statuses.len()];
+    enter_codes(&mut codes, statuses);
+    PyArray1::from_vec(py, codes)
+}
+
+/// The numbers of statuses in place of zeros; nearly all stay zero, and are looked at many at once.
+fn enter_codes(codes: &mut [i8], statuses: &[Status]) {
+    for (codes, statuses) in codes.chunks_mut(64).zip(statuses.chunks(64)) {
+        if statuses.iter().fold(false, |any, status| any | (*status != Status::Ok)) {
+            codes.iter_mut().zip(statuses).for_each(|(to, status)| *to = code(status));
+        }
+    }
+}
+
+fn choice(largest: bool) -> Choice {
+    if largest { Choice::Largest } else { Choice::Smallest }
 }
 
 fn row(state: State) -> Row {

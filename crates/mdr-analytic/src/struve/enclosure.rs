@@ -34,7 +34,7 @@ fn spread<const N: usize>(z: &Interval, orders: [i64; N]) -> [Interval; N] {
         return at_point(z, orders);
     }
     let radius = Interval::point(z.radius());
-    let bounds = orders.map(|order| (*z.lower() >= 1).then(|| envelope(&Interval::point(z.lower().clone()), order)));
+    let bounds = orders.map(|order| (*z.lower() >= 1).then(|| envelope(z, order)));
     let values = if *radius.lower() > 4 { None } else { Some(at_point(&Interval::point(z.mid()), orders)) };
     std::array::from_fn(|i| {
         let around = values.as_ref().map(|values| values[i].clone().inflate(&(slope(z, orders[i]) * &radius)));
@@ -46,8 +46,14 @@ fn spread<const N: usize>(z: &Interval, orders: [i64; N]) -> [Interval; N] {
 }
 
 /// A bound of |H'|: |H₀'| = (2/π)|∫₀^{π/2} cos θ cos(z cos θ) dθ| ≤ 2/π, |H₁'| = |H₀''| = (2/π)|∫₀^{π/2} cos²θ sin(z cos θ) dθ|
-/// ≤ 1/2 and ≤ 4z/3π.
+/// ≤ 1/2 and ≤ 4z/3π; and far out, where H₀' = 2/π − H₁ and H₁' = H₀ − H₁/z decay as H − Y and Y do, from their
+/// [envelopes](envelope).
 fn slope(z: &Interval, order: i64) -> Interval {
+    let constant = if order == 0 { std::f64::consts::FRAC_2_PI.next_up() } else { 0.5 };
+    let decaying = decaying_slope(z.lower().to_f64_round(Round::Down), order);
+    if decaying < constant {
+        return Interval::point(Float::with_val(53, decaying)).rounded(z.ctx());
+    }
     if order == 0 {
         return z.lit(2) / z.pi();
     }
@@ -56,20 +62,47 @@ fn slope(z: &Interval, order: i64) -> Interval {
     if near_zero.upper() < half.upper() { near_zero } else { half }
 }
 
-/// An enclosure of H at all arguments from z on.
+/// A bound of |H'| from z on, in doubles that are rounded up, ∞ for z < 1: |H₀'| ≤ |Y₁| + 2/πz² and |H₁'| ≤ |Y₀| + 2/πz + |H₁|/z, where
+/// |H₁| < 2.3, with the bounds of the envelope.
+fn decaying_slope(z: f64, order: i64) -> f64 {
+    if !(z >= 1.0) {
+        return f64::INFINITY;
+    }
+    let decay = decay(z);
+    let rest = if order == 0 { up(decay / z) } else { up(decay + up(2.3 / z)) };
+    up(bessel_bound(z) + rest)
+}
+
+/// An enclosure of H at all arguments from z ≥ 1 on, in doubles that are rounded outwards.
 ///
 /// |Y_ν| ≤ √(J_ν² + Y_ν²), of which the square is at most 2/πz for ν = 0 and (2/πz)(1 + 3/8z²) for ν = 1 (Watson 1944,
 /// §13.74 and §13.75). H₀ − Y₀ lies between 0 and 2/πz, H₁ − Y₁ between 2/π and (2/π)(1 + 1/z²) (DLMF 11.6.1).
 fn envelope(z: &Interval, order: i64) -> Interval {
-    let share = z.lit(2) / z.pi();
-    let decay = share.clone() / z;
-    if order == 0 {
-        let bessel = decay.sqrt();
-        return (-bessel.clone()).hull(&(bessel + decay));
-    }
-    let square = z.lit(1) / z.square();
-    let bessel = (decay * (square.clone().times(3).over(8) + z.lit(1))).sqrt();
-    (share.clone() - &bessel).hull(&(bessel + (square + z.lit(1)) * share))
+    let place = z.lower().to_f64_round(Round::Down);
+    let (decay, bessel) = (decay(place), bessel_bound(place));
+    let share = std::f64::consts::FRAC_2_PI;
+    let [lower, upper] = if order == 0 {
+        [-bessel, up(bessel + decay)]
+    } else {
+        [(share.next_down() - bessel).next_down(), up(up(share.next_up() + bessel) + up(decay / place))]
+    };
+    let end = |end: f64| Float::with_val(53, end);
+    Interval::new(end(lower), end(upper)).rounded(z.ctx())
+}
+
+/// The next double: at least the exact result, of which this is the nearest.
+fn up(value: f64) -> f64 {
+    value.next_up()
+}
+
+/// A bound of 2/πz from above.
+fn decay(z: f64) -> f64 {
+    up(std::f64::consts::FRAC_2_PI.next_up() / z)
+}
+
+/// A bound of |Y₀| and of |Y₁| from z ≥ 1 on.
+fn bessel_bound(z: f64) -> f64 {
+    up(up(decay(z) * up(1.0 + up(up(0.375 / z) / z))).sqrt())
 }
 
 /// H at an exactly known point.

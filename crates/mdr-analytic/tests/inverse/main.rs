@@ -7,4 +7,5 @@ mod bisection;
 mod doubles;
 mod family;
 mod outcomes;
+mod quadratic;
 mod rows;

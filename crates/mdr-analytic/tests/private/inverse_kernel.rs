@@ -32,8 +32,8 @@ impl Question {
 
     fn from<A: Arithmetic>(&self, arithmetic: A, v: f64) -> (f64, f64, bool) {
         match self.constants.held {
-            Held::Indentation => self.constants.state::<A, false>(arithmetic, self.x, v),
-            Held::Force => self.constants.state::<A, true>(arithmetic, self.x, v),
+            Held::Indentation => self.constants.state_near::<A, false>(arithmetic, self.x, v),
+            Held::Force => self.constants.state_near::<A, true>(arithmetic, self.x, v),
         }
     }
 

@@ -36,3 +36,26 @@ fn sums_without_guard_bits_contain_the_truth() {
         }
     }
 }
+
+/// H' at the end of an interval is within its bound, and the bound decays: over a tenth of a wave far out the values are within a tenth of their
+/// amplitude.
+#[test]
+fn slopes_are_bounded_and_decay() {
+    for z in arguments().chain([1e3, 1e5]) {
+        for far in [1.0, 1.1, 1.7, 2.9, 40.0] {
+            let place = at(z * far, 100);
+            let [h0, h1] = place.struve();
+            let slopes = [place.lit(2) / place.pi() - &h1, h0 - h1 / &place];
+            for (order, exact) in slopes.iter().enumerate() {
+                let bound = slope(&at(z, 100).hull(&place), order as i64);
+                assert!(exact.abs().lower() <= bound.upper(), "H{order}' at {z} times {far}: {exact} beyond {bound}");
+            }
+        }
+    }
+    for z in [1e3, 1e5] {
+        let wide = Interval::new(Float::with_val(64, z), Float::with_val(64, z + 0.2));
+        for value in wide.struve() {
+            assert!(value.radius().to_f64() < 0.13 * (2.0 / (std::f64::consts::PI * z)).sqrt(), "{value} at {z}");
+        }
+    }
+}

@@ -45,7 +45,7 @@ pub fn tanh_sinh<R: Real>(
     tolerance: impl Into<Tolerance<R>>,
     mut f: impl FnMut(&R) -> Result<R>,
 ) -> Result<Estimate<R>> {
-    integrate(lower, upper, tolerance.into(), |node| {
+    integrate(lower, upper, tolerance.into(), &mut |node| {
         if node.is_interior(lower, upper) { f(&node.x).map(Some) } else { Ok(None) }
     })
 }
@@ -62,7 +62,8 @@ pub fn tanh_sinh_near_ends<R: Real>(
     tolerance: impl Into<Tolerance<R>>,
     mut f: impl FnMut(&Node<R>) -> Result<R>,
 ) -> Result<Estimate<R>> {
-    integrate(lower, upper, tolerance.into(), |node| if node.is_normal() { f(node).map(Some) } else { Ok(None) })
+    let mut normal = |node: &Node<R>| if node.is_normal() { f(node).map(Some) } else { Ok(None) };
+    integrate(lower, upper, tolerance.into(), &mut normal)
 }
 
 /// ∫ₐᵇ f(x) dx by [`tanh_sinh`] on each piece between the `breaks`, where f or a derivative of it jumps.
@@ -104,6 +105,17 @@ pub fn pieces<R: Real>(
     breaks: &[R],
     mut integral: impl FnMut(&R, &R) -> Result<Estimate<R>>,
 ) -> Result<Estimate<R>> {
+    let mut total = Estimate::exact(lower.lit(0));
+    let mut from = lower;
+    for to in ends_of_pieces(lower, upper, breaks) {
+        total += &integral(from, to)?;
+        from = to;
+    }
+    Ok(total)
+}
+
+/// Where the pieces end, in their order from `lower` on; apart from the integrals, of which there are hundreds of kinds.
+fn ends_of_pieces<'e, R: Real>(lower: &R, upper: &'e R, breaks: &'e [R]) -> Vec<&'e R> {
     let (from, to) = (lower.midpoint(), upper.midpoint());
     let backwards = from > to;
     let (least, most) = if backwards { (to, from) } else { (from, to) };
@@ -113,13 +125,7 @@ pub fn pieces<R: Real>(
         ends.reverse();
     }
     ends.push(upper);
-    let mut total = Estimate::exact(lower.lit(0));
-    let mut from = lower;
-    for to in ends {
-        total += &integral(from, to)?;
-        from = to;
-    }
-    Ok(total)
+    ends
 }
 
 impl<R: Real> Node<R> {
@@ -212,13 +218,12 @@ fn abscissae<R: Real>(like: &R, level: i64) -> Vec<Abscissa<R>> {
     found
 }
 
-/// The integral; `f` returns `None` where it cannot be evaluated any closer to an end.
-fn integrate<R: Real>(
-    lower: &R,
-    upper: &R,
-    tolerance: Tolerance<R>,
-    mut f: impl FnMut(&Node<R>) -> Result<Option<R>>,
-) -> Result<Estimate<R>> {
+/// The value of an integrand at a node; `None` where it cannot be evaluated any closer to an end. There are hundreds of integrands, and
+/// the rule is compiled once.
+type Integrand<'f, R> = &'f mut dyn FnMut(&Node<R>) -> Result<Option<R>>;
+
+/// The integral.
+fn integrate<R: Real>(lower: &R, upper: &R, tolerance: Tolerance<R>, f: Integrand<'_, R>) -> Result<Estimate<R>> {
     let width = upper.clone() - lower;
     let zero = width.lit(0);
     if width.midpoint() < zero {
@@ -231,13 +236,13 @@ fn integrate<R: Real>(
     let panel = Panel { lower, upper, width };
     let table = RULES.rule(panel.width.precision(), Key::TanhSinh, || Ok(Table::new(&panel.width, &RULES)))?;
     let mut refinement = Refinement::new(tolerance);
-    let mut total = panel.centre(&mut f)?;
+    let mut total = panel.centre(f)?;
     let (mut magnitude, mut evaluations) = (total.abs(), 1);
     let mut level = 0;
     loop {
         let mut cut_off = zero.clone();
         for side in [Side::Lower, Side::Upper] {
-            let walk = panel.walk(table.level(&panel.width, level), side, &mut f)?;
+            let walk = panel.walk(table.level(&panel.width, level), side, f)?;
             total += &sum(&walk.terms, &zero);
             magnitude += &walk.magnitude;
             cut_off += &walk.cut_off;
@@ -273,7 +278,7 @@ struct Walk<R> {
 
 impl<R: Real> Panel<'_, R> {
     /// The term of the middle.
-    fn centre(&self, f: &mut impl FnMut(&Node<R>) -> Result<Option<R>>) -> Result<R> {
+    fn centre(&self, f: Integrand<'_, R>) -> Result<R> {
         let half = self.width.clone().over(2);
         let value = f(&Node::new(self.lower, self.upper, half.clone(), half, Side::Lower))?;
         let value = value.ok_or_else(|| Error::domain(INTERVAL, &self.width, "wider than a rounding"))?;
@@ -281,12 +286,7 @@ impl<R: Real> Panel<'_, R> {
     }
 
     /// Outwards from the middle until both weight and term are below rounding: a small term alone may be a zero of f.
-    fn walk(
-        &self,
-        abscissae: &[Abscissa<R>],
-        side: Side,
-        f: &mut impl FnMut(&Node<R>) -> Result<Option<R>>,
-    ) -> Result<Walk<R>> {
+    fn walk(&self, abscissae: &[Abscissa<R>], side: Side, f: Integrand<'_, R>) -> Result<Walk<R>> {
         let Panel { lower, upper, width } = self;
         let roundoff = width.unit_roundoff();
         let mut terms: Vec<R> = Vec::with_capacity(abscissae.len());

@@ -105,18 +105,20 @@ impl Asked {
         let truths = critical(self.enough())?;
         let (scales, n) = (scales()?, literal(&format!("{}/{}", N.0, N.1))?);
         let [c, e, w] = &scales;
-        let question = certified::Question::new(&n, c, &Elasticity::Effective(e.clone()), w, &Control::Indentation)?;
+        let elasticity = Elasticity::Effective(e.clone());
+        // Each answer has a question of its own, whose time counts.
+        let question = || certified::Question::new(&n, c, &elasticity, w, &Control::Indentation);
         let enclosed = |digits| {
             let question = &question;
             Ok(move || {
                 let precision = working(digits);
-                let found = question.enclosures(precision)?;
+                let found = question()?.enclosures(precision)?;
                 Ok(found.map(|number| interval(number, precision)).to_vec())
             })
         };
         let decimals = |digits| {
             let question = &question;
-            Ok(move || Ok(numbers(question.answer(digits + 1)?).map(|(.., number)| number).collect::<Vec<_>>()))
+            Ok(move || Ok(numbers(question()?.answer(digits + 1)?).map(|(.., number)| number).collect::<Vec<_>>()))
         };
         let with = |kappa: fn(&Float) -> Result<Float>| {
             let scales = &scales;

@@ -423,9 +423,12 @@ class Contact:
             raise ValueError(f"branch must be 'largest' or 'smallest', got {branch!r}")
         # One double needs no arrays on its way.
         if isinstance(force, float) and indentation is position is stiffness is None:
-            return _scalar(self._core.state(force, "force", branch == "largest"))
+            return _scalar(self._core.state(force, "force", None, branch == "largest"))
         if isinstance(indentation, float) and force is position is stiffness is None:
-            return _scalar(self._core.state(indentation, "indentation", branch == "largest"))
+            return _scalar(self._core.state(indentation, "indentation", None, branch == "largest"))
+        if isinstance(position, float) and isinstance(stiffness, float) and indentation is force is None:
+            positive(stiffness, "stiffness", "the machine stiffness k")
+            return _scalar(self._core.state(position, "position", stiffness, branch == "largest"))
         held, flat, shape, k = _held_values(indentation, force, position, stiffness)
         columns, status = self._core.states(flat, held, k, branch == "largest")
         return States(*(shaped(column, shape) for column in (*columns, status)))

@@ -51,18 +51,46 @@ impl ContactColumns {
     /// A stiffness that is not positive; errors of the transform; a fold beyond the range of f64;
     /// [`Stopped`](crate::ContactError::Stopped).
     pub fn states(&self, control: &Control<f64>, values: &[f64], choice: Choice) -> Result<States> {
+        let mut states = States::with_capacity(values.len());
+        self.states_by_blocks(control, values, choice, |block| states.extend(block))?;
+        Ok(states)
+    }
+
+    /// As [`ContactColumns::states`], one block of states after the other, for columns that are kept elsewhere.
+    ///
+    /// # Errors
+    /// Those of [`ContactColumns::states`], after which there are no more blocks.
+    pub fn states_by_blocks(
+        &self,
+        control: &Control<f64>,
+        values: &[f64],
+        choice: Choice,
+        take: impl FnMut(&States),
+    ) -> Result<()> {
         if let Some(inverse) = self.inverse(control)? {
-            return stable_by_closed_form(inverse, control, values);
+            return stable_by_closed_form(inverse, control, values, take);
         }
-        self.branched(control, true, |branches| {
-            let mut order: Vec<usize> = (0..=branches.folds().len()).collect();
-            order.retain(|branch| branches.is_stable(*branch) != Some(false));
-            if choice == Choice::Largest {
-                order.reverse();
-            }
-            let tables = Tables::new(branches, values);
-            let mut states = States::with_capacity(values.len());
-            for value in values {
+        self.branched(control, true, |branches| self.stable_by_search(branches, values, choice, take))
+    }
+
+    /// The stable states by tables of the branches, or by search on each.
+    fn stable_by_search(
+        &self,
+        branches: &SearchedBranches<f64>,
+        values: &[f64],
+        choice: Choice,
+        mut take: impl FnMut(&States),
+    ) -> Result<()> {
+        let mut order: Vec<usize> = (0..=branches.folds().len()).collect();
+        order.retain(|branch| branches.is_stable(*branch) != Some(false));
+        if choice == Choice::Largest {
+            order.reverse();
+        }
+        let tables = Tables::new(branches, values);
+        let mut states = States::with_capacity(values.len().min(BLOCK));
+        for block in values.chunks(BLOCK) {
+            states.clear();
+            for value in block {
                 let tabulated = tables.as_ref().map_or(Ok(Found::Open), |tables| tables.first(&order, *value))?;
                 let found = match tabulated {
                     Found::State(state, status) => Ok(Some((state, status))),
@@ -70,14 +98,15 @@ impl ContactColumns {
                     Found::Open => stable(branches, &order, value),
                 };
                 let (numbers, status) = match found {
-                    Ok(Some((state, status))) => (self.numbers(&state, control, *value), status),
+                    Ok(Some((state, status))) => (self.numbers(&state, branches.control(), *value), status),
                     Ok(None) => ([f64::NAN; 3], nothing(branches)),
                     Err(error) => ([f64::NAN; 3], status_of(error)?),
                 };
                 states.push(numbers, status);
             }
-            Ok(states)
-        })
+            take(&states);
+        }
+        Ok(())
     }
 
     /// All equilibria by search on each branch.
@@ -194,21 +223,24 @@ fn by_closed_form(inverse: &Inverse, large: bool, control: &Control<f64>, values
 }
 
 /// The stable branch of a power law alone.
-fn stable_by_closed_form(inverse: &Inverse, control: &Control<f64>, values: &[f64]) -> Result<States> {
-    let len = values.len();
-    let mut states = States {
-        contact_radius: vec![0.0; len],
-        indentation: vec![0.0; len],
-        force: vec![0.0; len],
-        status: vec![Status::Ok; len],
-    };
-    let States { contact_radius, indentation, force, status } = &mut states;
-    let (held, other) = if *control == Control::Force { (force, indentation) } else { (indentation, force) };
-    inverse.stable(values, &mut BranchSlices { contact_radius, uncontrolled: other }, status)?;
-    for ((held, value), a) in held.iter_mut().zip(values).zip(contact_radius.iter()) {
-        *held = where_known(*value, *a);
+fn stable_by_closed_form(
+    inverse: &Inverse,
+    control: &Control<f64>,
+    values: &[f64],
+    mut take: impl FnMut(&States),
+) -> Result<()> {
+    let mut states = States::default();
+    for block in values.chunks(BLOCK) {
+        states.resize(block.len());
+        let States { contact_radius, indentation, force, status } = &mut states;
+        let (held, uncontrolled) = if *control == Control::Force { (force, indentation) } else { (indentation, force) };
+        inverse.stable(block, &mut BranchSlices { contact_radius, uncontrolled }, status)?;
+        for ((held, value), a) in held.iter_mut().zip(block).zip(contact_radius.iter()) {
+            *held = where_known(*value, *a);
+        }
+        take(&states);
     }
-    Ok(states)
+    Ok(())
 }
 
 /// The value that is held, unless there is no state.

@@ -157,6 +157,12 @@ impl ContactColumns {
         ContactColumns { parts: Arc::clone(&self.parts), stop: stop.clone() }
     }
 
+    /// Whether states under a control are in closed form, or what a search has found is at hand: then one more takes microseconds.
+    pub fn is_prepared(&self, control: &Control<f64>) -> bool {
+        let is_known = |known: &Arc<Known>| known.control == *control && known.admissibility.get().is_some();
+        matches!(self.inverse(control), Ok(Some(_))) || self.last_known().as_ref().is_some_and(is_known)
+    }
+
     /// g, g' and ∫₀ˣ g at radii, in this order; NaN outside of the profile.
     ///
     /// # Errors
@@ -334,6 +340,26 @@ impl States {
     fn with_capacity(len: usize) -> Self {
         let [contact_radius, indentation, force] = [(); 3].map(|()| Vec::with_capacity(len));
         States { contact_radius, indentation, force, status: Vec::with_capacity(len) }
+    }
+
+    /// So many states, to be overwritten.
+    fn resize(&mut self, len: usize) {
+        for column in [&mut self.contact_radius, &mut self.indentation, &mut self.force] {
+            column.resize(len, f64::NAN);
+        }
+        self.status.resize(len, Status::Undecided);
+    }
+
+    fn clear(&mut self) {
+        self.resize(0);
+    }
+
+    /// Appends the rows of others.
+    fn extend(&mut self, others: &States) {
+        self.contact_radius.extend_from_slice(&others.contact_radius);
+        self.indentation.extend_from_slice(&others.indentation);
+        self.force.extend_from_slice(&others.force);
+        self.status.extend_from_slice(&others.status);
     }
 
     fn push(&mut self, [contact_radius, indentation, force]: [f64; 3], status: Status) {

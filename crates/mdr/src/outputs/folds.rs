@@ -7,8 +7,10 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Edge, FoldKind, Regime, Result, Status};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
-use mdr_core::number::{Interval, certify::Enclosure};
+use mdr_core::number::{Precision, certify::Enclosure};
 use mdr_numeric::admissible::{Admissibility, GapVerdict};
+#[cfg(feature = "mp")]
+use mdr_numeric::proof::EnclosedCurve;
 
 use super::key::Key;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject};
@@ -165,21 +167,52 @@ fn judged<R: SceneReal>(model: &Model<R>, fold: contact::Fold<R>, admissibility:
 /// [`EnclosedCurve::refine`](mdr_numeric::proof::EnclosedCurve::refine).
 #[cfg(feature = "mp")]
 fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
-    let items = decide(certified.digits, |precision| {
-        let enclosed = Enclosed::new(certified, precision)?;
-        let curve = enclosed.curve();
-        let admissibility = certified.admissibility()?;
-        let refined = |fold: &contact::Fold<Interval>| Ok(judged(&enclosed.value, curve.refine(fold)?, &admissibility));
-        let refined: Result<Vec<Fold<Interval>>> = folds.proved.folds.iter().map(refined).collect();
-        let mut records = refined?.convert(Enclosure::from);
-        for (record, fold) in records.iter_mut().zip(&folds.proved.folds) {
+    let mut curves = Curves { certified, known: Vec::new() };
+    // One fold after the other: of thousands a few need more bits than the others.
+    let decided = folds.proved.folds.iter().map(|fold| {
+        decide(certified.digits, |precision| {
+            let Known { curve, enclosed, .. } = curves.at(precision)?;
+            let admissibility = certified.admissibility()?;
+            let mut record = judged(&enclosed.value, curve.refine(fold)?, &admissibility).convert(Enclosure::from);
             if certified.scene.breaks_at_zero_depth(&fold.contact_radius) {
                 record.indentation = proof::exactly(&0.into());
             }
-        }
-        Ok(records)
-    })?;
+            Ok(vec![record])
+        })
+    });
+    let items = decided.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect();
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
+}
+
+/// The curve over enclosures in each precision that has been needed.
+#[cfg(feature = "mp")]
+struct Curves<'c, 's> {
+    certified: &'c Certified<'s>,
+    known: Vec<Known>,
+}
+
+#[cfg(feature = "mp")]
+struct Known {
+    precision: Precision,
+    curve: EnclosedCurve,
+    enclosed: Enclosed,
+}
+
+#[cfg(feature = "mp")]
+impl Curves<'_, '_> {
+    /// # Errors
+    /// A parameter of the profile or the material that is out of its domain.
+    fn at(&mut self, precision: Precision) -> Result<&Known> {
+        let place = match self.known.iter().position(|known| known.precision == precision) {
+            Some(place) => place,
+            None => {
+                let enclosed = Enclosed::new(self.certified, precision)?;
+                self.known.push(Known { precision, curve: enclosed.curve(), enclosed });
+                self.known.len() - 1
+            }
+        };
+        Ok(&self.known[place])
+    }
 }
 
 /// The folds of a power law by its closed forms: of a machine all of them, else the critical state.

@@ -9,14 +9,17 @@ use rug::Float;
 use rug::float::Round;
 
 use super::certified::Certified;
+use super::digits::start;
 use super::model::{Model, SceneReal};
 use super::sample;
-use super::weight::weight;
+use super::weight::weight_of_height;
 use crate::answer::{Completeness, Number, Value};
 use crate::scene::Scene;
 
 /// Bits in which folds are isolated; they are sharpened afterwards.
 const ISOLATION: u32 = 64;
+/// Bits up to which folds are sharpened at once to those of the answer: there an evaluation costs little more than in those of the isolation.
+const FINEST: u32 = 128;
 /// Evaluations that the isolation may spend between two kinks.
 const BUDGET: usize = 4_000_000;
 /// The budget between two rows of a table, where an evaluation is a sum over all rows and one fold the rule.
@@ -70,7 +73,12 @@ impl FoldProof {
         let is_given = certified.scene.range.is_some();
         let size = |end| if is_given { enclosed.value.size(end) } else { Ok(Interval::from_literal(precision, end)) };
         let [lower, upper] = [size(&range[0])?, size(&range[1])?];
-        let proved = enclosed.curve().folds(lower.lower(), upper.upper(), budget_of_folds(certified.scene))?;
+        let mut curve = enclosed.curve();
+        let asked = start(certified.digits);
+        if bits < asked.bits() && asked.bits() <= FINEST {
+            curve = curve.with_fine(Enclosed::new(certified, asked)?.curve());
+        }
+        let proved = curve.folds(lower.lower(), upper.upper(), budget_of_folds(certified.scene))?;
         let [from, to] = range;
         let to = match enclosed.value.contact().vertical_edge() {
             Some(outer_edge) if *outer_edge.lower() < *upper.upper() => Number::F64(outer_edge.approx()).to_string(),
@@ -146,7 +154,7 @@ pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
         None => None,
     };
     let contact = Enclosed::new(certified, precision)?.value.contact();
-    let weight = weight(&scene.profile, Interval::INDEX, ISOLATION);
+    let weight = weight_of_height(&scene.profile, Interval::INDEX, ISOLATION);
     EnclosedGaps::new(contact, profile).map(|gaps| Some(gaps.within(certified.counts[0].budget(), weight)))
 }
 

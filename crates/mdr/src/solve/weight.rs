@@ -11,6 +11,20 @@ pub(crate) fn weight(profile: &Profile, arithmetic: usize, bits: u32) -> u64 {
     costs.of_profile(profile)
 }
 
+/// The work of one height of a profile within a bound of the gap, in nanoseconds: that of a shape is a few operations where g may be
+/// a special function.
+#[cfg(feature = "mp")]
+pub(crate) fn weight_of_height(profile: &Profile, arithmetic: usize, bits: u32) -> u64 {
+    match profile {
+        Profile::Shape(_) => HEIGHT * Costs::of(arithmetic, u64::from(bits)).operation,
+        profile => weight(profile, arithmetic, bits),
+    }
+}
+
+/// A height of a shape counts as so many operations of a formula.
+#[cfg(feature = "mp")]
+const HEIGHT: u64 = 8;
+
 /// A function of a program counts as so many operations of a formula.
 const OPERATIONS: u64 = 30;
 
@@ -49,7 +63,7 @@ impl Costs {
 
     fn of_profile(&self, profile: &Profile) -> u64 {
         match profile {
-            Profile::Shape(Shape::WavyParaboloid { .. }) => 4 * self.form,
+            Profile::Shape(Shape::WavyParaboloid { .. }) => 3 * self.form,
             Profile::Shape(_) | Profile::Wave(_) => self.form,
             Profile::Sum(terms) => terms.iter().map(|term| self.of_profile(term)).sum(),
             Profile::Formula(formula) => {

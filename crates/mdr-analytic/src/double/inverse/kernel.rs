@@ -24,6 +24,7 @@ use mdr_core::number::{Extended, Real};
 
 use super::super::exponential::{self, exponential, rough_exponential, rough_logarithm};
 use super::super::pair::{Arithmetic, Native, Pair};
+use super::quadratic::Length;
 use crate::contact::PowerLawContact;
 use crate::inverse::{Branch, Count, FoldFrame, Held, InitialGuess};
 
@@ -31,13 +32,13 @@ use crate::inverse::{Branch, Count, FoldFrame, Held, InitialGuess};
 const ENOUGH: f64 = 0.4999 * f64::EPSILON / 2.0;
 
 /// A generous bound for products, quotients and sums of pairs.
-const PAIR: f64 = 1.0 / (1_u128 << 98) as f64;
+pub(super) const PAIR: f64 = 1.0 / (1_u128 << 98) as f64;
 
 /// Binary exponents of constants, of E and P, and of H, within which no product is subnormal or overflows before a
 /// result leaves the trusted range.
 const CONSTANTS: u64 = 300;
 const LOGARITHM: f64 = 600.0;
-const LENGTHS: f64 = 1e45;
+pub(super) const LENGTHS: f64 = 1e45;
 
 /// The largest K|s| of a step in doubles after which v is accurate enough for the last step, and of the last step.
 const CLOSE: f64 = 1.0 / 16.0;
@@ -48,9 +49,9 @@ const MOST_STEPS: usize = 5;
 
 /// A constant and a bound of its relative error.
 #[derive(Clone, Copy, Debug)]
-struct Known {
-    pair: Pair,
-    error: f64,
+pub(super) struct Known {
+    pub(super) pair: Pair,
+    pub(super) error: f64,
 }
 
 impl Known {
@@ -72,9 +73,10 @@ pub(super) struct Constants {
     guess: InitialGuess,
     /// x_fold, and the τ above which its rounding and uncertainty are negligible.
     pub(super) fold: f64,
+    inverse_fold: f64,
     nearest: f64,
     /// μ/x_fold.
-    share: Known,
+    pub(super) share: Known,
     /// a_λ.
     radius: Known,
     /// s.
@@ -83,6 +85,18 @@ pub(super) struct Constants {
     stiffness: Known,
     /// u/v.
     stretch: Pair,
+    /// H, where the equation is quadratic.
+    quadratic: Option<Length>,
+}
+
+/// Where a value lies.
+pub(super) struct Place {
+    /// Whether it is far enough from the fold and from the ends of the range for all else to be known here.
+    pub(super) decided: bool,
+    /// Whether the larger equilibrium exists.
+    pub(super) exists: bool,
+    /// Whether its sign is that of the fold: if the larger equilibrium exists, the smaller one does.
+    pub(super) pulled: bool,
 }
 
 /// Equilibria of one branch for each lane.
@@ -118,12 +132,14 @@ impl Constants {
             inverse_m: m.hi.recip(),
             guess: InitialGuess::new(excess.approx()),
             fold: value.pair.hi,
+            inverse_fold: value.pair.hi.recip(),
             nearest: 1e-12 + 4.0 * value.error,
             share: Known::new(&(*excess / at_fold))?,
             radius: Known::new(&state.contact_radius)?,
             elongation: Known::new(&contact.elongation(&state.contact_radius))?,
             stiffness: Known::new(&held.pick(modulus / next, next / modulus))?,
             stretch: held.pick(u, u.over(Native, Pair::from(3.0), 1.0 / 3.0)),
+            quadratic: Length::of(held, n.approx()),
         })
     }
 
@@ -136,22 +152,50 @@ impl Constants {
     /// The number of equilibria at x; `None` too close to the fold or too far from it to decide here.
     #[inline(always)]
     pub(super) fn count(&self, x: f64) -> Option<Count> {
-        let (z, tau) = (x / self.fold, self.tau(x));
+        let Place { decided, exists, pulled } = self.place(x);
+        match (decided, exists, pulled) {
+            (false, ..) => None,
+            (_, false, _) => Some(Count::None),
+            (.., true) => Some(Count::Two),
+            (.., false) => Some(Count::Larger),
+        }
+    }
+
+    /// Where x is, without branches.
+    #[inline(always)]
+    pub(super) fn place(&self, x: f64) -> Place {
+        let (z, tau) = (x * self.inverse_fold, (self.fold - x) * self.inverse_fold);
         let ordinary = |x: f64| (x == 0.0) | ((x.abs() > 1e-200) & (x.abs() < 1e200));
-        if !((tau.abs() > self.nearest) & ordinary(x) & ordinary(z) & ((z == 0.0) == (x == 0.0))) {
-            None
-        } else if tau < 0.0 {
-            Some(Count::None)
-        } else if z > 0.0 {
-            Some(Count::Two)
-        } else {
-            Some(Count::Larger)
+        let decided = (tau.abs() > self.nearest) & ordinary(x) & ordinary(z) & ((z == 0.0) == (x == 0.0));
+        Place { decided, exists: tau >= 0.0, pulled: z > 0.0 }
+    }
+
+    /// The equilibria at x, each on its branch.
+    #[inline(always)]
+    pub(super) fn on_branches<A: Arithmetic, const FORCE: bool, const N: usize>(
+        &self,
+        arithmetic: A,
+        x: &[f64; N],
+        branch: impl Fn(usize) -> Branch,
+    ) -> Lanes<N> {
+        // The way from E to H is chosen outside of the loops over lanes.
+        match self.quadratic {
+            Some(Length::Root) if !FORCE => self.closed::<A, false, N>(arithmetic, Length::Root, x, branch),
+            Some(Length::Square) if !FORCE => self.closed::<A, false, N>(arithmetic, Length::Square, x, branch),
+            Some(Length::CubeRoot) if FORCE => self.closed::<A, true, N>(arithmetic, Length::CubeRoot, x, branch),
+            _ => {
+                let mut v = [0.0; N];
+                for i in 0..N {
+                    v[i] = self.first::<A>(x[i], branch(i));
+                }
+                self.solve::<A, FORCE, N>(arithmetic, x, v)
+            }
         }
     }
 
     /// The initial v on a branch.
     #[inline(always)]
-    pub(super) fn first<A: Arithmetic>(&self, x: f64, branch: Branch) -> f64 {
+    fn first<A: Arithmetic>(&self, x: f64, branch: Branch) -> f64 {
         let tau = self.tau(x);
         match branch {
             Branch::Larger => rough_logarithm::<A>(1.0 + self.guess.growth(tau)) * self.inverse_m,
@@ -161,7 +205,7 @@ impl Constants {
 
     /// The equilibria at x whose v are near `v`, provided the steps do not lead to the other branch.
     #[inline(always)]
-    pub(super) fn solve<A: Arithmetic, const FORCE: bool, const N: usize>(
+    fn solve<A: Arithmetic, const FORCE: bool, const N: usize>(
         &self,
         arithmetic: A,
         x: &[f64; N],
@@ -181,7 +225,7 @@ impl Constants {
         }
         let mut lanes = Lanes { radius: [0.0; N], other: [0.0; N], trusted: [false; N] };
         for i in 0..N {
-            (lanes.radius[i], lanes.other[i], lanes.trusted[i]) = self.state::<A, FORCE>(arithmetic, x[i], v[i]);
+            (lanes.radius[i], lanes.other[i], lanes.trusted[i]) = self.state_near::<A, FORCE>(arithmetic, x[i], v[i]);
             lanes.trusted[i] &= first[i] * v[i] > 0.0;
         }
         lanes
@@ -243,26 +287,37 @@ impl Constants {
 
     /// a and F (or d, under force) of the root near v, and whether they are trusted.
     #[inline(always)]
-    fn state<A: Arithmetic, const FORCE: bool>(&self, arithmetic: A, x: f64, v: f64) -> (f64, f64, bool) {
-        let (grown, grown_error) = self.length::<A, FORCE>(arithmetic, x, v);
+    fn state_near<A: Arithmetic, const FORCE: bool>(&self, arithmetic: A, x: f64, v: f64) -> (f64, f64, bool) {
+        self.state::<A, FORCE>(arithmetic, x, self.length::<A, FORCE>(arithmetic, x, v))
+    }
+
+    /// a and F (or d, under force) from H and the bound of its error, and whether they are trusted.
+    #[inline(always)]
+    pub(super) fn state<A: Arithmetic, const FORCE: bool>(
+        &self,
+        arithmetic: A,
+        x: f64,
+        (grown, grown_error): (Pair, f64),
+    ) -> (f64, f64, bool) {
         let a = self.radius.pair.times(arithmetic, grown.square(arithmetic));
         let a_error = self.radius.error + 2.0 * grown_error + PAIR;
         let elongation = self.elongation.pair.times(arithmetic, grown);
         let elongation_error = elongation.hi * (self.elongation.error + grown_error + PAIR);
-        let (other, error) = if FORCE {
+        let (other, is_small) = if FORCE {
             let scaled = self.stiffness.pair.scaled(arithmetic, x);
             let pressed = scaled.over(arithmetic, a, 1.0 / a.hi);
             let sum = pressed.plus(elongation);
             let error = elongation_error + pressed.hi.abs() * (self.stiffness.error + a_error + PAIR);
-            (sum.over(arithmetic, Pair::from(self.n), 1.0 / self.n), error / sum.hi.abs() + PAIR)
+            let is_small = error < (ENOUGH - PAIR) * sum.hi.abs();
+            (sum.over(arithmetic, Pair::from(self.n), 1.0 / self.n), is_small)
         } else {
             let pressed = A::product(self.n, x).minus(elongation);
-            let error = elongation_error / pressed.hi.abs() + self.stiffness.error + a_error + PAIR;
-            (pressed.times(arithmetic, self.stiffness.pair).times(arithmetic, a), error)
+            let is_small = elongation_error < (ENOUGH - (self.stiffness.error + a_error + PAIR)) * pressed.hi.abs();
+            (pressed.times(arithmetic, self.stiffness.pair).times(arithmetic, a), is_small)
         };
         let (a, other) = (a.rounded(), other.rounded());
         let inside = |value: f64| (value.abs() > 1e-250) & (value.abs() < 1e250);
-        (a, other, (a_error < ENOUGH) & (error < ENOUGH) & inside(a) & inside(other))
+        (a, other, (a_error < ENOUGH) & is_small & inside(a) & inside(other))
     }
 }
 

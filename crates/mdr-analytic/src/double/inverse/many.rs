@@ -169,11 +169,7 @@ impl Rows<'_, '_> {
 
     #[inline(always)]
     fn branch<A: Arithmetic, const FORCE: bool>(&self, arithmetic: A, x: &Row, branch: Branch) -> Lanes<LEN> {
-        let mut v = [0.0; LEN];
-        for (v, x) in v.iter_mut().zip(x) {
-            *v = self.constants.first::<A>(*x, branch);
-        }
-        self.constants.solve::<A, FORCE, LEN>(arithmetic, x, v)
+        self.constants.on_branches::<A, FORCE, LEN>(arithmetic, x, |_| branch)
     }
 
     /// Stores the result of lane `lane` for the value `i`.

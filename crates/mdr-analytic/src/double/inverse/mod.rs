@@ -2,6 +2,7 @@
 
 mod kernel;
 mod many;
+mod quadratic;
 mod stable;
 
 use std::sync::OnceLock;
@@ -196,11 +197,11 @@ impl Work for Both<'_> {
     #[inline(always)]
     fn run<A: Arithmetic>(self, arithmetic: A) -> Self::Output {
         let Both { constants, x, count } = self;
-        let larger = constants.first::<A>(x, Branch::Larger);
-        let smaller = if count == Count::Two { constants.first::<A>(x, Branch::Smaller) } else { larger };
+        let first = if count == Count::Two { Branch::Smaller } else { Branch::Larger };
+        let branches = [first, Branch::Larger];
         let lanes = match constants.held {
-            Held::Indentation => constants.solve::<A, false, 2>(arithmetic, &[x; 2], [smaller, larger]),
-            Held::Force => constants.solve::<A, true, 2>(arithmetic, &[x; 2], [smaller, larger]),
+            Held::Indentation => constants.on_branches::<A, false, 2>(arithmetic, &[x; 2], |i| branches[i]),
+            Held::Force => constants.on_branches::<A, true, 2>(arithmetic, &[x; 2], |i| branches[i]),
         };
         [0, 1].map(|i| lanes.trusted[i].then_some((lanes.radius[i], lanes.other[i])))
     }

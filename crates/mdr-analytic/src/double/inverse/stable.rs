@@ -3,11 +3,11 @@
 use mdr_core::contact::{Error, Quantity, Ranged, Regime, Result, Stability, Status};
 
 use super::Inverse;
-use super::kernel::Constants;
+use super::kernel::{Constants, Lanes};
 use super::many::{BranchSlices, LEN};
 use crate::double::grid::{BatchReport, Work};
 use crate::double::pair::Arithmetic;
-use crate::inverse::{Branch, Count, Held};
+use crate::inverse::{Branch, Held};
 
 impl Inverse {
     /// The stable equilibrium at many values of the controlled quantity, NaN where there is none, with the numbers that
@@ -83,6 +83,33 @@ impl Rows<'_, '_> {
     }
 }
 
+impl Rows<'_, '_> {
+    /// The results of the lanes for the `len` values from `start` on.
+    #[inline(always)]
+    fn store(&mut self, start: usize, len: usize, lanes: &Lanes<LEN>, decided: &[bool; LEN], exists: &[bool; LEN]) {
+        let mut all = true;
+        for (exists, trusted) in exists.iter().zip(&lanes.trusted) {
+            all &= exists & trusted;
+        }
+        if all & (len == LEN) {
+            let rows = start..start + LEN;
+            self.found.contact_radius[rows.clone()].copy_from_slice(&lanes.radius);
+            self.found.uncontrolled[rows.clone()].copy_from_slice(&lanes.other);
+            self.status[rows].fill(Status::Ok);
+            return;
+        }
+        for i in 0..len {
+            if !decided[i] | (exists[i] & !lanes.trusted[i]) {
+                self.pass_on(start + i);
+            } else if exists[i] {
+                self.set(start + i, [lanes.radius[i], lanes.other[i]], Status::Ok);
+            } else {
+                self.set(start + i, [f64::NAN; 2], Status::NoEquilibrium);
+            }
+        }
+    }
+}
+
 /// The rows, with the constants of the kernel.
 struct Stable<'a, 's> {
     constants: &'a Constants,
@@ -105,35 +132,30 @@ impl Work for Stable<'_, '_> {
 impl Stable<'_, '_> {
     #[inline(always)]
     fn all<A: Arithmetic, const FORCE: bool>(&mut self, arithmetic: A) {
+        match self.constants.regime {
+            Regime::PullOff => self.on_branch::<A, FORCE>(arithmetic, Branch::Larger),
+            _ => self.on_branch::<A, FORCE>(arithmetic, Branch::Smaller),
+        }
+    }
+
+    #[inline(always)]
+    fn on_branch<A: Arithmetic, const FORCE: bool>(&mut self, arithmetic: A, branch: Branch) {
         let constants = self.constants;
-        let branch = if constants.regime == Regime::PullOff { Branch::Larger } else { Branch::Smaller };
-        let exists = |count: Option<Count>| match branch {
-            Branch::Larger => matches!(count, Some(Count::Two | Count::Larger)),
-            Branch::Smaller => count == Some(Count::Two),
-        };
         let values = self.rows.values;
         for (row, values) in values.chunks(LEN).enumerate() {
-            let mut counts = [Some(Count::Two); LEN];
+            let mut padded = [0.0; LEN];
+            padded[..values.len()].copy_from_slice(values);
+            let (mut decided, mut exists) = ([false; LEN], [false; LEN]);
             // Lanes without a solution compute another one, which is discarded.
-            let (mut x, mut v) = ([0.5 * constants.fold; LEN], [0.0; LEN]);
-            for (i, &value) in values.iter().enumerate() {
-                counts[i] = constants.count(value);
-                x[i] = if exists(counts[i]) { value } else { x[i] };
+            let (mut x, inside) = ([0.0; LEN], 0.5 * constants.fold);
+            for i in 0..LEN {
+                let place = constants.place(padded[i]);
+                let is_there = place.decided & place.exists & (place.pulled | (branch == Branch::Larger));
+                (decided[i], exists[i]) = (place.decided, is_there);
+                x[i] = if is_there { padded[i] } else { inside };
             }
-            for (v, x) in v.iter_mut().zip(&x) {
-                *v = constants.first::<A>(*x, branch);
-            }
-            let lanes = constants.solve::<A, FORCE, LEN>(arithmetic, &x, v);
-            for (i, count) in counts.iter().enumerate().take(values.len()) {
-                let (at, exists) = (row * LEN + i, exists(*count));
-                if count.is_none() | (exists & !lanes.trusted[i]) {
-                    self.rows.pass_on(at);
-                } else if exists {
-                    self.rows.set(at, [lanes.radius[i], lanes.other[i]], Status::Ok);
-                } else {
-                    self.rows.set(at, [f64::NAN; 2], Status::NoEquilibrium);
-                }
-            }
+            let lanes = constants.on_branches::<A, FORCE, LEN>(arithmetic, &x, |_| branch);
+            self.rows.store(row * LEN, values.len(), &lanes, &decided, &exists);
         }
     }
 }
