@@ -211,6 +211,17 @@ impl<R: Real> Medium<R> {
         }
     }
 
+    /// q of a contact that is a disc, whose stiffness S is as a^q: 1 on a half-space, 1 + k on a graded one, 2 on a Winkler foundation; `None`
+    /// in line contact.
+    pub fn order_of_discs(&self) -> Option<R> {
+        match self {
+            Medium::HalfSpace { modulus } => Some(modulus.lit(1)),
+            Medium::Graded { exponent, .. } => Some(exponent.lit(1) + exponent),
+            Medium::Winkler { modulus } => Some(modulus.lit(2)),
+            _ => None,
+        }
+    }
+
     /// The period of a medium in contact along strips, in m.
     pub fn period(&self) -> Option<&R> {
         match self {

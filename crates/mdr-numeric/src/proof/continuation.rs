@@ -9,8 +9,9 @@
 //! x σ ∫₀^{π/2} sinφ r⁻² DΔ(r) dφ, σ = √(x² − b²), r² = b² + σ² sin²φ,
 //!
 //! which is (1.1) of Δ from b on. It is analytic in σ, so that g is, next to a kink, in σ instead of x. The weights sinθ dθ are
-//! positive with the sum 1: over a convex set of values each mean lies in it, and some cells of angles give an enclosure. On a half-space graded as
-//! zᵏ g is the mean of f + Df/(1 + k) with the weights (1 + k) sinθ cosᵏθ dθ, on a Winkler foundation f itself.
+//! positive with the sum 1: over a convex set of values each mean lies in it, and some cells of angles give an enclosure. On springs whose stiffness
+//! up to x is as x^q, on a graded half-space with q = 1 + k and on a Winkler foundation with q = 2, g is the mean of f + Df/q with the weights
+//! q sinθ cos^(q − 1)θ dθ.
 //!
 //! A profile with many kinks, as a table, has a term for the last few of them only. There f itself stands for Δ at the first of these, up to
 //! which radii are [distant](super::distant).
@@ -54,23 +55,14 @@ pub struct Continuation {
     breaks: Vec<Interval>,
     /// sinθ over each cell, and sin²θ.
     cells: Vec<[Interval; 2]>,
-    springs: Springs,
+    /// q, with a stiffness of the springs up to a as a^q: 1 on a half-space.
+    order: Interval,
     /// k, if f is analytic at the axis as a function of r^(1/k) alone; else 1.
     root: u32,
     /// Of many kinks.
     distant: Option<Distant>,
     /// The heights that were evaluated, counted over intervals.
     heights: AtomicU64,
-}
-
-/// Of what g is the mean.
-enum Springs {
-    /// f + Df.
-    HalfSpace,
-    /// f + Df/(1 + k), with 1/(1 + k).
-    Graded(Interval),
-    /// f.
-    Winkler,
 }
 
 /// The largest k of r^(1/k).
@@ -88,52 +80,39 @@ impl Continuation {
         let roots = terms.iter().filter_map(|term| term.part(0)?.root());
         let root = roots.fold(1, least_common_multiple);
         let root = if root > LARGEST_ROOT { 1 } else { root };
-        let (cells, springs, heights) = (cells(|share| share.square()), Springs::HalfSpace, AtomicU64::default());
-        let mut all = Continuation { terms, breaks, cells, springs, root, distant: None, heights };
+        let order = Interval::from_int(Precision::new(BOUND_BITS), 1);
+        let (cells, heights) = (cells(|share| share.square()), AtomicU64::default());
+        let mut all = Continuation { terms, breaks, cells, order, root, distant: None, heights };
         if all.breaks.len() >= MANY {
             all.distant = Distant::new(&all.breaks, |radii, beyond| all.slope_within(radii, beyond));
         }
         Some(all)
     }
 
-    /// The profile on another medium; `None` where g is not known on complex sets.
+    /// The profile on another medium; `None` in line contact, where g is not known on complex sets.
     pub fn on(mut self, medium: &Medium<Interval>) -> Option<Self> {
-        (self.cells, self.springs) = match medium {
-            Medium::HalfSpace { .. } => return Some(self),
-            Medium::Graded { exponent, .. } => {
-                let order = exponent.rounded(Precision::new(BOUND_BITS));
-                let share = order.lit(1) / (order.clone() + order.lit(1));
-                (cells(|cosine| cosine.pow(&share).square()), Springs::Graded(share))
-            }
-            Medium::Winkler { modulus } => {
-                let one = modulus.rounded(Precision::new(BOUND_BITS)).lit(1);
-                (vec![[one.clone(), one]], Springs::Winkler)
-            }
-            _ => return None,
-        };
-        self.distant = None;
+        let order = medium.order_of_discs()?.rounded(self.order.ctx());
+        if !order.is_same(&self.order) {
+            let share = order.lit(1) / &order;
+            (self.cells, self.distant) = (cells(|cosine| cosine.pow(&share).square()), None);
+            self.order = order;
+        }
         Some(self)
     }
 
-    /// Whether it is on a medium of this kind.
+    /// Whether it is on a medium whose springs are spread like those of this one.
     pub(super) fn is_on(&self, medium: &Medium<Interval>) -> bool {
-        match (&self.springs, medium) {
-            (Springs::HalfSpace, Medium::HalfSpace { .. }) | (Springs::Winkler, Medium::Winkler { .. }) => true,
-            (Springs::Graded(share), Medium::Graded { exponent, .. }) => {
-                let order = exponent.rounded(Precision::new(BOUND_BITS)) + share.lit(1);
-                (order * share).contains(share.lit(1).lower())
-            }
-            _ => false,
-        }
+        medium.order_of_discs().is_some_and(|order| order.rounded(self.order.ctx()).is_same(&self.order))
+    }
+
+    fn is_on_half_space(&self) -> bool {
+        self.order == self.order.lit(1)
     }
 
     /// What g is the mean of.
     fn weighted<T: Analytic>(&self, f: &Euler<T>) -> T {
-        match &self.springs {
-            Springs::HalfSpace => f.value().plus(&f.derivative(1)),
-            Springs::Graded(share) => f.value().plus(&f.derivative(1).scaled(share)),
-            Springs::Winkler => f.value().clone(),
-        }
+        let rise = f.derivative(1);
+        f.value().plus(&if self.is_on_half_space() { rise } else { rise.scaled(&(self.order.lit(1) / &self.order)) })
     }
 
     /// f' on radii beyond so many kinks.
@@ -241,7 +220,7 @@ impl Continuation {
 
     /// g over a complex set of radii; beyond kinks on a half-space only.
     pub(super) fn g(&self, x: &Rectangle, legs: &Legs) -> Option<Rectangle> {
-        if !legs.legs.is_empty() && !matches!(self.springs, Springs::HalfSpace) {
+        if !legs.legs.is_empty() && !self.is_on_half_space() {
             return None;
         }
         let mut g = match (&self.distant, legs.base) {

@@ -205,10 +205,10 @@ pub(super) fn stiffness(contact: &Contact<Interval>, a: &Interval) -> Result<Int
     contact.stiffness_along(a)?.filter(Real::is_finite).ok_or_else(open)
 }
 
-/// [`moments_at`] the leg c² = r² − a² of a radius r > a.
+/// The moments at the leg c of a radius r > a, c² = r² − a²: see [`moments_at`].
 ///
 /// # Errors
-/// [`moments_at`].
+/// Errors of [`moments_at`].
 pub(super) fn moments(profile: &Continuation, a: &Interval, r: &Interval, order: usize) -> Result<Vec<Interval>> {
     moments_at(profile, [a, &leg(r, a)], r, order)
 }

@@ -73,7 +73,7 @@ fn check_half_space(contact: &Contact<Interval>) -> Result<()> {
 pub struct EnclosedCurve {
     plain: Contact<Interval>,
     dual: Contact<Dual<Interval>>,
-    /// The same contact in the precision in which folds are enclosed once they are isolated; this one if there is none.
+    /// The contact in the precision in which folds are enclosed once they are isolated; without it they are in this one.
     fine: Option<Arc<EnclosedCurve>>,
 }
 

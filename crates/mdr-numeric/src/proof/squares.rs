@@ -8,7 +8,6 @@ use super::continuation::Continuation;
 use super::energy::{located, over_unit_interval, unproved};
 use super::stretch::{Stretch, leg};
 use crate::contact::Contact;
-use crate::medium::Medium;
 
 /// The integral of g², piece by piece between the kinks.
 pub(super) struct SquareIntegral<'a> {
@@ -23,18 +22,18 @@ impl SquareIntegral<'_> {
     /// A radius that is not positive; errors of the transform; [`Error::Unproved`] where an integral takes too many pieces, and beyond a
     /// kink on other media than a half-space.
     pub(super) fn means(&self, radii: &[Interval]) -> Result<Vec<Interval>> {
-        let order = match self.contact.medium() {
-            Medium::Graded { exponent, .. } => Some(exponent.lit(1) / (exponent.clone() + exponent.lit(1))),
-            Medium::Winkler { .. } => None,
-            _ => return Ok(self.up_to(radii)?.into_iter().zip(radii).map(|(square, a)| square / a).collect()),
+        let order = self.contact.medium().order_of_discs().filter(|order| *order != order.lit(1));
+        let Some(order) = order else {
+            return Ok(self.up_to(radii)?.into_iter().zip(radii).map(|(square, a)| square / a).collect());
         };
+        let root = if order == order.lit(2) { None } else { Some(order.lit(1) / order) };
         let mean = |a: &Interval| {
             Error::require_positive(Quantity::ContactRadius, a.clone())?;
             if !self.profile.reaches(a) || self.profile.breaks().iter().any(|b| b.lower() <= a.upper()) {
                 return Err(unproved(a));
             }
             let mean =
-                SpringMean { transform: self.contact.transform(), profile: self.profile, a, order: order.as_ref() };
+                SpringMean { transform: self.contact.transform(), profile: self.profile, a, root: root.as_ref() };
             over_unit_interval(&mean, a.precision()).map_err(|error| located(error, a))
         };
         radii.iter().map(mean).collect()
@@ -176,20 +175,20 @@ impl Sampled for RootedSquare<'_> {
     }
 }
 
-/// The mean of g² over springs whose stiffness up to x is as x^(1 + k): ∫₀¹ g(a y^(1/(1 + k)))² dy, on a Winkler foundation, with k = 1,
-/// 2∫₀¹ t g(at)² dt.
+/// The mean of g² over springs whose stiffness up to x is as x^q: ∫₀¹ g(a y^(1/q))² dy, and where q is 2 also 2∫₀¹ t g(at)² dt, which is analytic at
+/// the axis.
 struct SpringMean<'a> {
     transform: &'a dyn Transform<Interval>,
     profile: &'a Continuation,
     a: &'a Interval,
-    /// 1/(1 + k); `None` on a Winkler foundation.
-    order: Option<&'a Interval>,
+    /// 1/q; `None` where q is 2.
+    root: Option<&'a Interval>,
 }
 
 impl SpringMean<'_> {
     fn place<T: Analytic>(&self, t: &T) -> Option<T> {
-        let share = match self.order {
-            Some(order) => t.power(order)?,
+        let share = match self.root {
+            Some(root) => t.power(root)?,
             None => t.clone(),
         };
         Some(share.scaled(self.a))
@@ -197,7 +196,7 @@ impl SpringMean<'_> {
 
     fn of<T: Analytic>(&self, g: &T, t: &T) -> Vec<T> {
         let square = g.squared();
-        vec![if self.order.is_some() { square } else { square.product(&t.plus(t)) }]
+        vec![if self.root.is_some() { square } else { square.product(&t.plus(t)) }]
     }
 }
 

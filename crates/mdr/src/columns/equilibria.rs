@@ -56,10 +56,10 @@ impl ContactColumns {
         Ok(states)
     }
 
-    /// As [`ContactColumns::states`], one block of states after the other, for columns that are kept elsewhere.
+    /// The states that [`ContactColumns::states`] finds, one block after the other, for columns that are kept elsewhere.
     ///
     /// # Errors
-    /// Those of [`ContactColumns::states`], after which there are no more blocks.
+    /// Errors of [`ContactColumns::states`], after which there are no more blocks.
     pub fn states_by_blocks(
         &self,
         control: &Control<f64>,

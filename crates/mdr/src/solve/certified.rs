@@ -26,8 +26,9 @@ use crate::answer::{AtValue, Completeness, Number};
 use crate::run::Counts;
 use crate::scene::Scene;
 
-/// Up to this many rows the folds of a table are proved, within some seconds: the cost grows with the rows.
-pub(crate) const PROVED_ROWS: usize = 1000;
+/// Up to this many rows the folds of a table are proved, and within the budget also those of rough ones: the cost grows with the rows and with
+/// the folds.
+pub(crate) const PROVED_ROWS: usize = 300;
 
 /// Answers a scene with certified digits. An f64 search supplies starting points and never contributes a digit.
 pub(crate) struct Certified<'s> {
