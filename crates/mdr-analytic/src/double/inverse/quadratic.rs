@@ -77,8 +77,7 @@ impl Constants {
         let larger = Pair { hi: larger.hi, lo: larger.lo + rest };
         let of_value = self.share.error + PAIR;
         // (1 + |z|)/2√τ over 1 + √τ is at most 1/2 for z < 0 and 1/√τ for z > 0.
-        // Towards the fold doubles are left to more digits.
-        let error = if tau.hi > FARTHEST { of_value * (0.5 + 2.0 * half) + PAIR } else { f64::INFINITY };
+        let error = of_value * (0.5 + 2.0 * half) + PAIR;
         match branch {
             Branch::Larger => (larger, error),
             Branch::Smaller => (z.over(arithmetic, larger, 1.0 / larger.hi), of_value + error + PAIR),
@@ -87,7 +86,7 @@ impl Constants {
 }
 
 /// τ from which on roots are taken here: `verify` found up to ten units in the last place at 10⁻¹², where the loss is as 1/√τ.
-const FARTHEST: f64 = 1.0 / 1024.0;
+pub(super) const FARTHEST: f64 = 1.0 / 1024.0;
 
 /// The cube root of a positive number far from the ends of the range.
 #[inline(always)]
