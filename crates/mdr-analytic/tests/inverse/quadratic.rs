@@ -41,7 +41,7 @@ impl Case {
         let mut place = |index: usize| {
             let share: f64 = random.random_range(0.0..1.0);
             match index % 3 {
-                0 => 1.0 - 10f64.powf(-9.0 * share),
+                0 => 1.0 - 10f64.powf(-11.5 * share),
                 1 => share,
                 _ if self.n > 0.5 => -10f64.powf(16.0 * share - 6.0),
                 _ => 10f64.powf(-9.0 * share),

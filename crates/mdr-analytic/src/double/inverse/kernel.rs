@@ -24,7 +24,7 @@ use mdr_core::number::{Extended, Real};
 
 use super::super::exponential::{self, exponential, rough_exponential, rough_logarithm};
 use super::super::pair::{Arithmetic, Native, Pair};
-use super::quadratic::{FARTHEST, Length};
+use super::quadratic::Length;
 use crate::contact::PowerLawContact;
 use crate::inverse::{Branch, Count, FoldFrame, Held, InitialGuess};
 
@@ -179,36 +179,18 @@ impl Constants {
         branch: impl Fn(usize) -> Branch,
     ) -> Lanes<N> {
         // The way from E to H is chosen outside of the loops over lanes.
-        let mut lanes = match self.quadratic {
-            Some(Length::Root) if !FORCE => self.closed::<A, false, N>(arithmetic, Length::Root, x, &branch),
-            Some(Length::Square) if !FORCE => self.closed::<A, false, N>(arithmetic, Length::Square, x, &branch),
-            Some(Length::CubeRoot) if FORCE => self.closed::<A, true, N>(arithmetic, Length::CubeRoot, x, &branch),
-            _ => return self.searched::<A, FORCE, N>(arithmetic, x, &branch),
-        };
-        let is_near_fold = |x: f64| self.place(x).decided && (self.fold - x) * self.inverse_fold <= FARTHEST;
-        if x.iter().any(|x| is_near_fold(*x)) {
-            let others = self.searched::<A, FORCE, N>(arithmetic, x, &branch);
-            for i in (0..N).filter(|i| is_near_fold(x[*i])) {
-                (lanes.radius[i], lanes.other[i], lanes.trusted[i]) =
-                    (others.radius[i], others.other[i], others.trusted[i]);
+        match self.quadratic {
+            Some(Length::Root) if !FORCE => self.closed::<A, false, N>(arithmetic, Length::Root, x, branch),
+            Some(Length::Square) if !FORCE => self.closed::<A, false, N>(arithmetic, Length::Square, x, branch),
+            Some(Length::CubeRoot) if FORCE => self.closed::<A, true, N>(arithmetic, Length::CubeRoot, x, branch),
+            _ => {
+                let mut v = [0.0; N];
+                for i in 0..N {
+                    v[i] = self.first::<A>(x[i], branch(i));
+                }
+                self.solve::<A, FORCE, N>(arithmetic, x, v)
             }
         }
-        lanes
-    }
-
-    /// The equilibria at x by Newton's method from a first guess.
-    #[inline(always)]
-    fn searched<A: Arithmetic, const FORCE: bool, const N: usize>(
-        &self,
-        arithmetic: A,
-        x: &[f64; N],
-        branch: &impl Fn(usize) -> Branch,
-    ) -> Lanes<N> {
-        let mut v = [0.0; N];
-        for i in 0..N {
-            v[i] = self.first::<A>(x[i], branch(i));
-        }
-        self.solve::<A, FORCE, N>(arithmetic, x, v)
     }
 
     /// The initial v on a branch.

@@ -69,7 +69,9 @@ impl Constants {
     #[inline(always)]
     fn root<A: Arithmetic>(&self, arithmetic: A, x: f64, branch: Branch) -> (Pair, f64) {
         let z = self.share.pair.scaled(arithmetic, x);
+        // Near the fold 1 − z cancels, and its lower part need no longer be small beside its upper one.
         let tau = Pair::from(1.0).minus(z);
+        let tau = Pair::quick_sum(tau.hi, tau.lo);
         let first = tau.hi.sqrt();
         let half = 0.5 / first;
         let rest = (A::residual(tau.hi, first, first) + tau.lo) * half;
@@ -84,9 +86,6 @@ impl Constants {
         }
     }
 }
-
-/// τ from which on roots are taken here: `verify` found up to ten units in the last place at 10⁻¹², where the loss is as 1/√τ.
-pub(super) const FARTHEST: f64 = 1.0 / 1024.0;
 
 /// The cube root of a positive number far from the ends of the range.
 #[inline(always)]
