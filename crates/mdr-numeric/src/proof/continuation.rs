@@ -268,13 +268,14 @@ impl Continuation {
             _ => self.first_rise(x)?.quotient(x)?,
         };
         let square = x.squared();
-        let by_leg = legs.legs.len().checked_sub(1).filter(|_| by_leg).map(|last| legs.first + last);
-        for (kink, leg) in legs.all().filter(|(kink, _)| Some(*kink) != by_leg) {
+        let last = legs.all().last().filter(|_| by_leg);
+        let others = legs.legs.len() - usize::from(last.is_some());
+        for (kink, leg) in legs.all().take(others) {
             let [i, j] = self.beyond(kink, leg, legs.base)?;
             let factor = leg.plus(&square.quotient(leg)?);
             slope = slope.plus(&factor.product(&i)).plus(&square.product(leg).product(&j));
         }
-        let Some((kink, leg)) = legs.all().find(|(kink, _)| Some(*kink) == by_leg) else { return Some(slope) };
+        let Some((kink, leg)) = last else { return Some(slope) };
         let [i, j] = self.beyond(kink, leg, legs.base)?;
         let own = leg.squared().quotient(x)?.plus(x).product(&i).plus(&leg.squared().product(x).product(&j));
         Some(slope.product(leg).quotient(x)?.plus(&own))

@@ -51,7 +51,7 @@ impl LocalPolynomial {
     fn tree(&self, precision: Precision) -> Node<Interval> {
         let number = |value: &Interval| Node::Constant(value.rounded(precision));
         let of = |operator, a: Node<Interval>, b: Node<Interval>| Node::Operation(operator, Box::new(a), Box::new(b));
-        let from_start = if self.start.upper().is_zero() && self.start.lower().is_zero() {
+        let from_start = if self.start == self.start.lit(0) {
             Node::Variable
         } else {
             of(Operator::Subtract, Node::Variable, number(&self.start))
