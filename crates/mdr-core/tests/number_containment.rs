@@ -87,6 +87,8 @@ proptest! {
 
     #[test]
     fn functions_within_one(x in few(|bits| interval_of(signed(bits, -12..=-1).boxed()))) {
+        // Steps of two or three bits may lead beyond the domain.
+        prop_assume!(*x.lower() > -1 && *x.upper() < 1);
         contained(&WITHIN_ONE, &x)?;
     }
 
