@@ -13,6 +13,7 @@ mod number_algebra;
 mod number_certify;
 mod number_containment;
 mod number_counted;
+mod number_double;
 mod number_dual;
 mod number_dual_f64;
 mod number_edges;

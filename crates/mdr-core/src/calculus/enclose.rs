@@ -23,10 +23,14 @@ use rug::float::Round;
 
 use super::legendre;
 use crate::contact::{Error, Quantity, Result};
-use crate::number::{Analytic, Interval, Precision, Real, Rectangle};
+use crate::number::{Analytic, DoubleInterval, Ends, Interval, Precision, Real, Rectangle};
 
-/// Bits of every bound: of M, of ranges and of remainders, whatever the precision of the nodes.
+/// Bits of every bound: of M, of ranges and of remainders, whatever the precision of the nodes. They are found in doubles where these
+/// reach, which takes a tenth of the time.
 pub const BOUND_BITS: u32 = 64;
+
+/// Bits of nodes, of values and of sums which are doubles.
+pub const DOUBLE_BITS: u32 = f64::MANTISSA_DIGITS;
 
 /// Sums of half-axes of ellipses, over half the distance of the foci; exact in doubles.
 const ELLIPSES: [f64; 12] = [1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 32.0, 64.0];
@@ -39,6 +43,11 @@ const AT_END: u32 = 8;
 pub trait Integrand {
     /// The values at t, or enclosures over a set of t; `None` where one is not defined or not shown to be analytic.
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>>;
+
+    /// Whether its numbers are far from the ends of the range of doubles: what these do not show has no image in more bits either.
+    fn is_moderate(&self) -> bool {
+        false
+    }
 }
 
 /// Several functions that are integrated together, by what a rule needs of them: their values may come from another formula than
@@ -55,6 +64,21 @@ pub trait Sampled {
 
     /// Enclosures over a real interval; `None` where one is not defined.
     fn range(&self, t: &Interval) -> Option<Vec<Interval>>;
+
+    /// The [range](Sampled::range) in doubles; `None` also where they do not reach.
+    fn range_in_doubles(&self, _t: &DoubleInterval) -> Option<Vec<DoubleInterval>> {
+        None
+    }
+
+    /// The [image](Sampled::image) in doubles; `None` also where they do not reach.
+    fn image_in_doubles(&self, _t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
+        None
+    }
+
+    /// See [`Integrand::is_moderate`].
+    fn is_moderate(&self) -> bool {
+        false
+    }
 }
 
 impl<F: Integrand> Sampled for F {
@@ -69,12 +93,24 @@ impl<F: Integrand> Sampled for F {
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
         self.at(t)
     }
+
+    fn range_in_doubles(&self, t: &DoubleInterval) -> Option<Vec<DoubleInterval>> {
+        self.at(t)
+    }
+
+    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
+        self.at(t)
+    }
+
+    fn is_moderate(&self) -> bool {
+        Integrand::is_moderate(self)
+    }
 }
 
 /// What is asked of an integral.
 #[derive(Clone, Debug)]
 pub struct Goal {
-    /// Bits of the nodes, of values and of sums.
+    /// Bits of the nodes, of values and of sums; up to [`DOUBLE_BITS`] they are doubles where these reach.
     pub bits: u32,
     /// The error of the rules to aim at, for each of the functions. An enclosure holds whether or not it is met.
     pub tolerances: Vec<Float>,
@@ -139,7 +175,9 @@ fn pieces(
         let most = goal.bits as usize / 2 + 8;
         match best_rule(f, [&middle, &half], piece.ellipse, &share, most) {
             Some(rule) if rule.nodes <= most => {
-                let values = rule.sum(f, [&middle, &half], goal.bits)?;
+                let ends = [&middle, &half];
+                let in_doubles = if goal.bits <= DOUBLE_BITS { rule.sum_in_doubles(f, ends)? } else { None };
+                let values = if in_doubles.is_some() { in_doubles } else { rule.sum(f, ends, goal.bits)? };
                 let values = values.ok_or_else(|| open("an integral, whose integrand is not defined at a node"))?;
                 for ((sum, value), bound) in sums.iter_mut().zip(values).zip(&rule.bounds) {
                     let error = remainder(count, error_of_rule(bound, &half, rule.ellipse, rule.nodes));
@@ -206,6 +244,29 @@ struct Rule {
 }
 
 impl Rule {
+    /// h Σ w f in doubles; `None` where they do not reach.
+    fn sum_in_doubles(&self, f: &impl Sampled, [middle, half]: [&Float; 2]) -> Result<Option<Vec<Interval>>> {
+        let point = |value: &Float| DoubleInterval::around(&Interval::point(value.clone()));
+        let (middle, half) = (point(middle), point(half));
+        let mut sums: Option<Vec<DoubleInterval>> = None;
+        for (node, weight) in &legendre::rule(self.nodes, DOUBLE_BITS)?.nodes {
+            let (node, weight) = (DoubleInterval::around(node), DoubleInterval::around(weight));
+            let step = half * node;
+            for t in [middle + step, middle - step] {
+                let Some(values) = f.range_in_doubles(&t) else { return Ok(None) };
+                match &mut sums {
+                    None => sums = Some(values.into_iter().map(|value| value * weight).collect()),
+                    Some(sums) => sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += &(value * weight)),
+                }
+            }
+        }
+        let precision = Precision::new(DOUBLE_BITS);
+        let sums = sums.map(|sums| sums.into_iter().map(|sum| sum * half).collect::<Vec<_>>());
+        Ok(sums
+            .filter(|sums| sums.iter().all(Real::is_finite))
+            .map(|sums| sums.iter().map(|sum| sum.widened(precision)).collect()))
+    }
+
     /// h Σ w f; `None` where a function is not defined.
     fn sum(&self, f: &impl Sampled, [middle, half]: [&Float; 2], bits: u32) -> Result<Option<Vec<Interval>>> {
         let precision = Precision::new(bits);
@@ -269,15 +330,17 @@ fn bounds(f: &impl Sampled, middle: &Float, half: &Float, rho: f64) -> Option<Ve
     let axis = |sign: f64| rounded!(Up, half * ((rho + sign / rho) / 2.0 * (1.0 + 1e-7)));
     let [long, short] = [axis(1.0), axis(-1.0)];
     let re = Interval::new(rounded!(Down, middle - &long), rounded!(Up, middle + &long));
-    let image = f.image(&Rectangle::new(re, Interval::new(Float::new(BOUND_BITS), short)))?;
-    image
-        .iter()
-        .map(|value| {
-            let width = rounded!(Up, value.re().upper() - value.re().lower()) / 2u32;
-            let bound = rounded!(Up, width.hypot_ref(value.im().abs().upper()));
-            bound.is_finite().then_some(bound)
-        })
-        .collect()
+    let ellipse = Rectangle::new(re, Interval::new(Float::new(BOUND_BITS), short));
+    let in_doubles = Rectangle::new(DoubleInterval::around(ellipse.re()), DoubleInterval::around(ellipse.im()));
+    let rough = f.image_in_doubles(&in_doubles).and_then(|image| image.iter().map(half_diagonal).collect());
+    if rough.is_some() || f.is_moderate() { rough } else { f.image(&ellipse)?.iter().map(half_diagonal).collect() }
+}
+
+/// Half the diagonal of a rectangle, rounded up; `None` if it is not finite.
+fn half_diagonal<I: Ends>(value: &Rectangle<I>) -> Option<Float> {
+    let ([left, right], [_, far]) = (value.re().ends(), value.im().abs().ends());
+    let bound = (right - left).over(2).hypot(&far);
+    bound.is_finite().then(|| bound.most())
 }
 
 /// Nodes for which the remainders are within tolerances, in steps of about √2, so that few rules are made.
@@ -314,12 +377,19 @@ fn by_range(f: &impl Sampled, piece: &Piece, tolerances: &[Float]) -> Option<Vec
     let over = Interval::new(rounded!(Down, &piece.lower), rounded!(Up, &piece.upper));
     let length = rounded!(Down, &piece.upper - &piece.lower);
     let length = Interval::new(length, rounded!(Up, &piece.upper - &piece.lower));
-    let areas = f.range(&over)?.into_iter().zip(tolerances).map(|(range, tolerance)| {
-        let area = range * &length;
-        let narrow = area.is_finite() && rounded!(Up, area.upper() - area.lower()) <= *tolerance;
-        narrow.then_some(area)
-    });
-    areas.collect()
+    let areas = |ranges: Vec<Interval>| {
+        let areas = ranges.into_iter().zip(tolerances).map(|(range, tolerance)| {
+            let area = range * &length;
+            let narrow = area.is_finite() && rounded!(Up, area.upper() - area.lower()) <= *tolerance;
+            narrow.then_some(area)
+        });
+        areas.collect::<Option<Vec<_>>>()
+    };
+    let widened = |ranges: Vec<DoubleInterval>| {
+        ranges.iter().map(|range| range.widened(Precision::new(BOUND_BITS))).collect::<Vec<_>>()
+    };
+    let in_doubles = f.range_in_doubles(&DoubleInterval::around(&over)).map(widened);
+    in_doubles.and_then(areas).or_else(|| areas(f.range(&over)?))
 }
 
 #[cfg(test)]

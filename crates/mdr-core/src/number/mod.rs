@@ -7,6 +7,8 @@ pub mod certify;
 #[cfg(feature = "mp")]
 mod counted;
 mod decimal;
+#[cfg(feature = "mp")]
+mod double;
 mod dual;
 mod exact;
 mod extended;
@@ -19,10 +21,12 @@ mod mp;
 mod real;
 
 #[cfg(feature = "mp")]
-pub use analytic::{Analytic, Euler, Rectangle};
+pub use analytic::{Analytic, Ends, Euler, Rectangle};
 #[cfg(feature = "mp")]
 pub use counted::RoundingCount;
 pub use decimal::Decimal;
+#[cfg(feature = "mp")]
+pub use double::DoubleInterval;
 pub use dual::Dual;
 pub use exact::Exact;
 pub use extended::Extended;

@@ -61,7 +61,7 @@ pub struct Continuation {
     root: u32,
     /// Of many kinks.
     distant: Option<Distant>,
-    /// The heights that were evaluated, counted over intervals.
+    /// The heights that were evaluated, counted over intervals of doubles.
     heights: AtomicU64,
 }
 
@@ -131,7 +131,7 @@ impl Continuation {
 
     /// The heights that were evaluated so far, counted over intervals.
     pub(super) fn work(&self) -> u64 {
-        self.heights.load(Ordering::Relaxed)
+        self.heights.load(Ordering::Relaxed) / <Interval as Analytic>::WORK
     }
 
     /// Counts a height over a set.

@@ -1,7 +1,7 @@
 //! Derivatives in the logarithm of a radius.
 
 use super::Analytic;
-use crate::number::{Interval, Precision, Real};
+use crate::number::Interval;
 
 /// A function of r with its Euler derivatives D = r d/dr up to some order: the Taylor coefficients Dᵏv/k! in ln r.
 ///
@@ -43,8 +43,7 @@ impl<T: Analytic> Euler<T> {
     pub fn root(q: &T, k: u32, order: usize) -> Self {
         let mut logarithmic = vec![q.integer(0); order];
         if let Some(first) = logarithmic.first_mut() {
-            let one = Interval::from_int(Precision::new(q.bits()), 1);
-            *first = if k == 1 { q.integer(1) } else { q.constant(&Real::over(one, i64::from(k))) };
+            *first = q.integer(1).divided(i64::from(k));
         }
         Self::growing(q.clone(), logarithmic)
     }
@@ -57,7 +56,7 @@ impl<T: Analytic> Euler<T> {
     /// Dᵏv, for k up to the order.
     pub fn derivative(&self, k: usize) -> T {
         let factorial: i64 = (1..=k as i64).product();
-        self.coefficients[k].scaled(&self.number(factorial))
+        if factorial == 1 { self.coefficients[k].clone() } else { self.coefficients[k].multiplied(factorial) }
     }
 
     /// The value, replaced by one that is known better.
@@ -81,13 +80,17 @@ impl<T: Analytic> Euler<T> {
         self.coefficients.len() - 1
     }
 
-    fn number(&self, value: i64) -> Interval {
-        Interval::from_int(Precision::new(self.bits()), value)
+    /// A constant, without derivatives.
+    fn whole(&self, value: T) -> Self {
+        let zero = value.integer(0);
+        let mut coefficients = vec![zero.clone(); self.order() + 1];
+        coefficients[0] = value;
+        Euler { coefficients, logarithmic: Some(vec![zero; self.order()]) }
     }
 
     /// x/k for a small integer.
-    fn divided(&self, x: &T, k: usize) -> T {
-        if k == 1 { x.clone() } else { x.scaled(&Real::over(self.number(1), k as i64)) }
+    fn part(x: &T, k: usize) -> T {
+        if k == 1 { x.clone() } else { x.divided(k as i64) }
     }
 
     /// From the value and the coefficients of Dv/v: k v_k is the sum of l_j v_(k−1−j).
@@ -95,7 +98,7 @@ impl<T: Analytic> Euler<T> {
         let mut grown = Self::of(vec![value]);
         for k in 1..=logarithmic.len() {
             let sum = convolution(&logarithmic, &grown.coefficients, k - 1);
-            grown.coefficients.push(grown.divided(&sum, k));
+            grown.coefficients.push(Self::part(&sum, k));
         }
         Euler { logarithmic: Some(logarithmic), ..grown }
     }
@@ -104,14 +107,14 @@ impl<T: Analytic> Euler<T> {
     fn integral(value: T, slope: &[T]) -> Self {
         let mut integral = Self::of(vec![value]);
         for (j, slope) in slope.iter().enumerate() {
-            integral.coefficients.push(integral.divided(slope, j + 1));
+            integral.coefficients.push(Self::part(slope, j + 1));
         }
         integral
     }
 
     /// The coefficients of Dv.
     fn slopes(&self) -> Vec<T> {
-        let times = |(j, c): (usize, &T)| if j == 0 { c.clone() } else { c.scaled(&self.number(j as i64 + 1)) };
+        let times = |(j, c): (usize, &T)| if j == 0 { c.clone() } else { c.multiplied(j as i64 + 1) };
         self.coefficients[1..].iter().enumerate().map(times).collect()
     }
 
@@ -134,8 +137,8 @@ impl<T: Analytic> Euler<T> {
         let (mut s, mut c) = (Self::of(vec![s]), Self::of(vec![c]));
         for k in 1..=self.order() {
             let [rise, fall] = [&c, &s].map(|other| convolution(&slopes, &other.coefficients, k - 1));
-            s.coefficients.push(self.divided(&rise, k));
-            let fall = self.divided(&fall, k);
+            s.coefficients.push(Self::part(&rise, k));
+            let fall = Self::part(&fall, k);
             c.coefficients.push(if sign < 0 { fall.negated() } else { fall });
         }
         (s, c)
@@ -166,10 +169,7 @@ impl<T: Analytic> Analytic for Euler<T> {
         self.coefficients[0].bits()
     }
     fn constant(&self, value: &Interval) -> Self {
-        let zero = self.value().integer(0);
-        let mut coefficients = vec![zero.clone(); self.order() + 1];
-        coefficients[0] = self.value().constant(value);
-        Euler { coefficients, logarithmic: Some(vec![zero; self.order()]) }
+        self.whole(self.value().constant(value))
     }
     fn plus(&self, other: &Self) -> Self {
         self.combined(other, T::plus)
@@ -192,7 +192,7 @@ impl<T: Analytic> Analytic for Euler<T> {
     fn squared(&self) -> Self {
         let value = self.value().squared();
         match &self.logarithmic {
-            Some(logarithmic) => Self::growing(value, logarithmic.iter().map(|l| l.scaled(&self.number(2))).collect()),
+            Some(logarithmic) => Self::growing(value, logarithmic.iter().map(|l| l.multiplied(2)).collect()),
             None => {
                 let mut square = self.product(self);
                 square.coefficients[0] = value;
@@ -210,7 +210,7 @@ impl<T: Analytic> Analytic for Euler<T> {
     }
     fn raised(&self, exponent: i64) -> Option<Self> {
         if let Some(logarithmic) = &self.logarithmic {
-            let scaled = logarithmic.iter().map(|l| l.scaled(&self.number(exponent))).collect();
+            let scaled = logarithmic.iter().map(|l| l.multiplied(exponent)).collect();
             return Some(Self::growing(self.value().raised(exponent)?, scaled));
         }
         self.raised_by_squaring(exponent)
@@ -220,9 +220,8 @@ impl<T: Analytic> Analytic for Euler<T> {
         Some(Self::growing(value, self.growth()?.iter().map(|l| l.scaled(exponent)).collect()))
     }
     fn sqrt(&self) -> Option<Self> {
-        let half = Real::over(self.number(1), 2);
         let value = self.value().sqrt()?;
-        Some(Self::growing(value, self.growth()?.iter().map(|l| l.scaled(&half)).collect()))
+        Some(Self::growing(value, self.growth()?.iter().map(|l| l.divided(2)).collect()))
     }
     fn exp(&self) -> Self {
         Self::growing(self.value().exp(), self.slopes())
@@ -250,5 +249,11 @@ impl<T: Analytic> Analytic for Euler<T> {
     }
     fn is_bounded(&self) -> bool {
         self.coefficients.iter().all(T::is_bounded)
+    }
+    fn half_turn(&self) -> Self {
+        self.whole(self.value().half_turn())
+    }
+    fn integer(&self, value: i64) -> Self {
+        self.whole(self.value().integer(value))
     }
 }

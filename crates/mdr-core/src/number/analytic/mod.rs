@@ -1,15 +1,17 @@
 //! Functions over sets of numbers, with the question whether they are analytic there.
 
+mod ends;
 mod euler;
 mod rectangle;
 
+pub use ends::Ends;
 pub use euler::Euler;
 pub use rectangle::Rectangle;
 
-use super::{Interval, Precision, Real, Special};
+use super::{Interval, Precision, Real};
 
-/// A set of numbers on which a formula is evaluated: an [`Interval`], a complex [`Rectangle`], or either of these with
-/// derivatives, [`Euler`].
+/// A set of numbers on which a formula is evaluated: an [`Interval`], a [`DoubleInterval`](super::DoubleInterval), a complex
+/// [`Rectangle`] of either, or one of these with derivatives, [`Euler`].
 ///
 /// `None` means that the function is not defined on all of the set, or not shown to be analytic there: a root or a logarithm
 /// whose argument meets its cut, a divisor that may be zero, an overflow. Over real intervals a result proves that the
@@ -27,7 +29,8 @@ use super::{Interval, Precision, Real, Special};
 /// assert!(Rectangle::new(around.clone(), around).sqrt().is_none());
 /// ```
 pub trait Analytic: Clone {
-    /// The time that a formula takes over such a set, over its time on an interval, as budgets count it: to within a factor of two.
+    /// The time that a formula takes over such a set, over its time on an interval of doubles, as budgets count it: to within a factor of
+    /// two.
     const WORK: u64;
     /// Bits in the significand.
     fn bits(&self) -> u32;
@@ -84,75 +87,20 @@ pub trait Analytic: Clone {
             n => Some(self.raised(n - 1)?.product(self)),
         }
     }
+    /// π.
+    fn half_turn(&self) -> Self {
+        self.constant(&Interval::from_int(Precision::new(self.bits()), 1).pi())
+    }
+    /// The product with an integer.
+    fn multiplied(&self, k: i64) -> Self {
+        self.scaled(&Interval::from_int(Precision::new(self.bits()), k))
+    }
+    /// The quotient by an integer other than zero.
+    fn divided(&self, k: i64) -> Self {
+        self.scaled(&Real::over(Interval::from_int(Precision::new(self.bits()), 1), k))
+    }
     /// −x.
     fn negated(&self) -> Self {
-        self.scaled(&Interval::from_int(Precision::new(self.bits()), -1))
-    }
-}
-
-/// The value, if every step was in its domain.
-fn defined(value: Interval) -> Option<Interval> {
-    Real::is_finite(&value).then_some(value)
-}
-
-impl Analytic for Interval {
-    const WORK: u64 = 1;
-
-    fn bits(&self) -> u32 {
-        self.lower().prec()
-    }
-    fn constant(&self, value: &Interval) -> Self {
-        value.rounded(self.ctx())
-    }
-    fn plus(&self, other: &Self) -> Self {
-        self.clone() + other
-    }
-    fn minus(&self, other: &Self) -> Self {
-        self.clone() - other
-    }
-    fn product(&self, other: &Self) -> Self {
-        self.clone() * other
-    }
-    fn scaled(&self, factor: &Interval) -> Self {
-        self.clone() * factor
-    }
-    fn squared(&self) -> Self {
-        Real::square(self)
-    }
-    fn quotient(&self, divisor: &Self) -> Option<Self> {
-        if divisor.contains_zero() { None } else { defined(self.clone() / divisor) }
-    }
-    fn raised(&self, exponent: i64) -> Option<Self> {
-        defined(self.powi(exponent))
-    }
-    fn power(&self, exponent: &Interval) -> Option<Self> {
-        defined(self.pow(&exponent.rounded(self.ctx())))
-    }
-    fn sqrt(&self) -> Option<Self> {
-        defined(Real::sqrt(self))
-    }
-    fn exp(&self) -> Self {
-        Real::exp(self)
-    }
-    fn ln(&self) -> Option<Self> {
-        defined(Real::ln(self))
-    }
-    fn sin_cos(&self) -> (Self, Self) {
-        (Special::sin(self), Special::cos(self))
-    }
-    fn sinh_cosh(&self) -> (Self, Self) {
-        (Special::sinh(self), Special::cosh(self))
-    }
-    fn atan(&self) -> Option<Self> {
-        defined(Special::atan(self))
-    }
-    fn asin(&self) -> Option<Self> {
-        defined(Special::asin(self))
-    }
-    fn atanh(&self) -> Option<Self> {
-        defined(Special::atanh(self))
-    }
-    fn is_bounded(&self) -> bool {
-        Real::is_finite(self)
+        self.multiplied(-1)
     }
 }

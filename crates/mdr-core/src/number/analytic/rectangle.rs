@@ -1,12 +1,11 @@
 //! Complex rectangles. Every function refuses an argument that meets its branch cut.
 
-use rug::Float;
-use rug::float::Round;
+use std::cmp::Ordering;
 
-use super::{Analytic, defined};
-use crate::number::{Interval, Precision, Real};
+use super::{Analytic, Ends};
+use crate::number::{Interval, Real};
 
-/// A rectangle in the complex plane: all x + iy with x and y in two intervals of one precision.
+/// A rectangle in the complex plane: all x + iy with x and y in two intervals of one precision, or two of doubles.
 ///
 /// ```
 /// use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle};
@@ -18,50 +17,50 @@ use crate::number::{Interval, Precision, Real};
 /// let turn = i.scaled(&number(1.0).pi().over(2)).exp();
 /// assert!(turn.re().contains_zero() && turn.im().contains(number(1.0).lower()));
 /// ```
-#[derive(Clone, Debug)]
-pub struct Rectangle {
-    re: Interval,
-    im: Interval,
+#[derive(Clone, Copy, Debug)]
+pub struct Rectangle<I = Interval> {
+    re: I,
+    im: I,
 }
 
-impl Rectangle {
+impl<I: Ends> Rectangle<I> {
     /// The rectangle of a real and an imaginary part.
-    pub fn new(re: Interval, im: Interval) -> Self {
+    pub fn new(re: I, im: I) -> Self {
         Rectangle { re, im }
     }
 
     /// The real parts.
-    pub fn re(&self) -> &Interval {
+    pub fn re(&self) -> &I {
         &self.re
     }
 
     /// The imaginary parts.
-    pub fn im(&self) -> &Interval {
+    pub fn im(&self) -> &I {
         &self.im
-    }
-
-    fn ctx(&self) -> Precision {
-        self.re.ctx()
     }
 
     /// Whether it is free of the negative real axis and of 0.
     fn is_off_cut(&self) -> bool {
-        *self.re.lower() > 0 || *self.im.lower() > 0 || *self.im.upper() < 0
+        let [lower, upper] = self.im.signs();
+        self.re.signs()[0].is_gt() || lower.is_gt() || upper.is_lt()
     }
 
     /// Whether it lies in the closed right half-plane. There a root is analytic inside and continuous up to the boundary: what maps
     /// into it maps the inside of a set to the open half-plane, or is constant.
     fn is_right(&self) -> bool {
-        *self.re.lower() >= 0
+        self.re.signs()[0].is_ge()
     }
 
     /// zᵖ for p > 0 where 0 is on the boundary: |z|ᵖ, at an angle of pπ/2 at most.
-    fn power_from_zero(&self, exponent: &Interval) -> Option<Self> {
-        let size = defined(self.modulus().pow(&exponent.rounded(self.ctx())))?;
-        let zero = Interval::from_int(self.ctx(), 0);
-        let far = zero.clone().inflate(&Interval::point(size.upper().clone()));
-        let re = if *exponent.upper() <= 1 { zero.hull(&Interval::point(size.upper().clone())) } else { far.clone() };
-        Some(Rectangle { re, im: far })
+    fn power_from_zero(&self, exponent: &I) -> Option<Self> {
+        let [_, size] = Real::pow(&self.modulus(), exponent).ends();
+        if !Real::is_finite(&size) {
+            return None;
+        }
+        let zero = size.lit(0);
+        let far = zero.clone().inflate(&size);
+        let is_root = *exponent <= exponent.lit(1);
+        Some(Rectangle { re: if is_root { zero.hull(&size) } else { far.clone() }, im: far })
     }
 
     /// iz.
@@ -70,46 +69,39 @@ impl Rectangle {
     }
 
     /// The modulus.
-    fn modulus(&self) -> Interval {
-        let bits = self.bits();
-        let (re, im) = (self.re.abs(), self.im.abs());
-        let hypot = |x: &Float, y: &Float, round| Float::with_val_round(bits, x.hypot_ref(y), round).0;
-        Interval::new(hypot(re.lower(), im.lower(), Round::Down), hypot(re.upper(), im.upper(), Round::Up))
+    fn modulus(&self) -> I {
+        self.re.abs().hypot(&self.im.abs())
     }
 
     /// The argument between −π and π, off the cut: its extremes are at corners.
-    fn argument(&self) -> Interval {
-        let angle = |y: &Float, x: &Float, round| Float::with_val_round(self.bits(), y.atan2_ref(x), round).0;
-        let corner = |y: &Float, x: &Float| Interval::new(angle(y, x, Round::Down), angle(y, x, Round::Up));
-        let ends = [self.im.lower(), self.im.upper()];
-        let first = corner(ends[0], self.re.lower());
-        ends.iter().fold(first, |hull, y| hull.hull(&corner(y, self.re.lower())).hull(&corner(y, self.re.upper())))
+    fn argument(&self) -> I {
+        let ([low, high], [left, right]) = (self.im.ends(), self.re.ends());
+        let at = |y: &I| y.angle(&left).hull(&y.angle(&right));
+        at(&low).hull(&at(&high))
     }
 }
 
 /// The least number ≥ 0 and the greatest that √((|z| ± x)/2) takes at x + iy: the real part of √z for +, |imaginary part|
 /// for −. Where |z| and ±x cancel, as y²/2(|z| ∓ x).
-fn part(x: &Float, y: &Float, imaginary: bool) -> Interval {
-    let bits = x.prec();
-    let [x, y] = [x, y].map(|end| Interval::point(end.clone()));
+fn part<I: Ends>(x: &I, y: &I, imaginary: bool) -> I {
     let modulus = Rectangle { re: x.clone(), im: y.clone() }.modulus();
-    let x = if imaginary { -x } else { x };
-    let twice = if *x.lower() >= 0 {
+    let x = if imaginary { -x.clone() } else { x.clone() };
+    let twice = if x.signs()[0] != Ordering::Less {
         modulus + x
     } else {
-        y.square().quotient(&(modulus - x)).unwrap_or_else(|| Interval::from_int(Precision::new(bits), 0))
+        y.square().quotient(&(modulus - x)).unwrap_or_else(|| y.lit(0))
     };
-    Real::sqrt(&Real::over(twice, 2))
+    Real::sqrt(&twice.over(2))
 }
 
-impl Analytic for Rectangle {
-    const WORK: u64 = 4;
+impl<I: Ends> Analytic for Rectangle<I> {
+    const WORK: u64 = 4 * <I as Ends>::WORK;
 
     fn bits(&self) -> u32 {
         self.re.bits()
     }
     fn constant(&self, value: &Interval) -> Self {
-        Rectangle { re: value.rounded(self.ctx()), im: Interval::from_int(self.ctx(), 0) }
+        Rectangle { re: self.re.constant(value), im: self.im.lit(0) }
     }
     fn plus(&self, other: &Self) -> Self {
         Rectangle { re: self.re.plus(&other.re), im: self.im.plus(&other.im) }
@@ -124,7 +116,8 @@ impl Analytic for Rectangle {
         }
     }
     fn scaled(&self, factor: &Interval) -> Self {
-        Rectangle { re: self.re.product(factor), im: self.im.product(factor) }
+        let factor = self.re.constant(factor);
+        Rectangle { re: self.re.product(&factor), im: self.im.product(&factor) }
     }
     fn squared(&self) -> Self {
         Rectangle { re: self.re.square() - self.im.square(), im: Real::times(self.re.product(&self.im), 2) }
@@ -136,7 +129,7 @@ impl Analytic for Rectangle {
     }
     fn power(&self, exponent: &Interval) -> Option<Self> {
         if !self.is_off_cut() && self.is_right() && *exponent.lower() > 0 {
-            return self.power_from_zero(exponent);
+            return self.power_from_zero(&self.re.constant(exponent));
         }
         Some(self.ln()?.scaled(exponent).exp())
     }
@@ -145,16 +138,14 @@ impl Analytic for Rectangle {
         if !self.is_off_cut() && !self.is_right() {
             return None;
         }
-        let (x, y, far) = (&self.re, &self.im, self.im.abs());
-        let re = part(x.lower(), far.lower(), false).hull(&part(x.upper(), far.upper(), false));
-        let outer = |y: &Float| part(x.lower(), y, true);
-        let inner = |y: &Float| part(x.upper(), y, true);
-        let im = if *y.lower() >= 0 {
-            inner(y.lower()).hull(&outer(y.upper()))
-        } else if *y.upper() <= 0 {
-            -inner(y.upper()).hull(&outer(y.lower()))
-        } else {
-            (-outer(y.lower())).hull(&outer(y.upper()))
+        let ([left, right], [low, high]) = (self.re.ends(), self.im.ends());
+        let [near, far] = self.im.abs().ends();
+        let re = part(&left, &near, false).hull(&part(&right, &far, false));
+        let (outer, inner) = (|y: &I| part(&left, y, true), |y: &I| part(&right, y, true));
+        let im = match self.im.signs() {
+            [Ordering::Greater | Ordering::Equal, _] => inner(&low).hull(&outer(&high)),
+            [_, Ordering::Less | Ordering::Equal] => -inner(&high).hull(&outer(&low)),
+            _ => (-outer(&low)).hull(&outer(&high)),
         };
         Some(Rectangle { re, im })
     }
@@ -166,7 +157,7 @@ impl Analytic for Rectangle {
         if !self.is_off_cut() {
             return None;
         }
-        Some(Rectangle { re: defined(Real::ln(&self.modulus()))?, im: self.argument() })
+        Some(Rectangle { re: Analytic::ln(&self.modulus())?, im: self.argument() })
     }
     fn sin_cos(&self) -> (Self, Self) {
         let ((sin, cos), (sinh, cosh)) = (self.re.sin_cos(), self.im.sinh_cosh());
@@ -191,15 +182,30 @@ impl Analytic for Rectangle {
     fn asin(&self) -> Option<Self> {
         let one = self.integer(1);
         let root = one.minus(&self.squared()).sqrt()?;
-        Some(self.quotient(&one.plus(&root))?.atan()?.scaled(&Interval::from_int(self.ctx(), 2)))
+        Some(self.quotient(&one.plus(&root))?.atan()?.multiplied(2))
     }
     /// (ln(1 + z) − ln(1 − z))/2.
     fn atanh(&self) -> Option<Self> {
         let one = self.integer(1);
         let twice = one.plus(self).ln()?.minus(&one.minus(self).ln()?);
-        Some(Rectangle { re: Real::over(twice.re, 2), im: Real::over(twice.im, 2) })
+        Some(twice.divided(2))
     }
     fn is_bounded(&self) -> bool {
         self.re.is_bounded() && self.im.is_bounded()
+    }
+    fn integer(&self, value: i64) -> Self {
+        Rectangle { re: self.re.lit(value), im: self.im.lit(0) }
+    }
+    fn half_turn(&self) -> Self {
+        Rectangle { re: self.re.pi(), im: self.im.lit(0) }
+    }
+    fn multiplied(&self, k: i64) -> Self {
+        Rectangle { re: self.re.multiplied(k), im: self.im.multiplied(k) }
+    }
+    fn divided(&self, k: i64) -> Self {
+        Rectangle { re: self.re.divided(k), im: self.im.divided(k) }
+    }
+    fn negated(&self) -> Self {
+        Rectangle { re: -self.re.clone(), im: -self.im.clone() }
     }
 }

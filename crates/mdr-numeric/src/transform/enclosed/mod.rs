@@ -19,7 +19,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use mdr_core::calculus::enclose::{BOUND_BITS, Goal, Integrand, enclose};
 use mdr_core::contact::{EnclosedFormula, Error, Kink, Quantity, Result, Slopes, Transform};
-use mdr_core::number::{Interval, Precision, Real, Special};
+use mdr_core::number::{Analytic, Interval, Precision, Real, Special};
 use rug::Float;
 
 use super::weight::Weight;
@@ -157,7 +157,7 @@ impl Enclosed {
     fn between_breaks(&self, x: &Interval, order: Order, breaks: &[Interval]) -> Result<Vec<Interval>> {
         let span = Span::of(x);
         let unknown = || vec![Interval::entire(x.ctx()); order.count()];
-        if self.heights.load(Ordering::Relaxed) > MOST {
+        if self.work() > MOST {
             return Err(unproved(x, "the integrals over the formula took too many values of it"));
         }
         if let (Weight::Winkler, Order::Slope | Order::Curvature) = (&self.weight, order) {
@@ -411,7 +411,7 @@ impl Transform<Interval> for Enclosed {
     }
 
     fn work(&self) -> u64 {
-        self.heights.load(Ordering::Relaxed)
+        self.heights.load(Ordering::Relaxed) / <Interval as Analytic>::WORK
     }
 
     fn kink(&self, index: usize, margin: &Interval) -> Result<Option<Kink<Interval>>> {

@@ -30,7 +30,7 @@ pub(super) struct Ray<'a> {
     pub(super) x: &'a Interval,
     pub(super) order: Order,
     pub(super) weight: &'a Weight<Interval>,
-    /// The heights that were evaluated, counted over intervals.
+    /// The heights that were evaluated, counted over intervals of doubles.
     pub(super) heights: &'a AtomicU64,
 }
 
@@ -95,17 +95,17 @@ impl Ray<'_> {
 
     /// sinθ and the weight dθ/dt.
     fn places<T: Analytic>(&self, t: &T) -> Option<[T; 2]> {
-        let half_pi = || Interval::from_int(Precision::new(t.bits()), 1).pi().over(2);
+        let quarter_turn = || t.half_turn().divided(2);
         Some(match self.weight {
             Weight::HalfSpace => {
-                let half_pi = half_pi();
-                let sine = t.scaled(&half_pi).sin_cos().0;
-                let weight = sine.scaled(&half_pi);
+                let quarter_turn = quarter_turn();
+                let sine = t.product(&quarter_turn).sin_cos().0;
+                let weight = sine.product(&quarter_turn);
                 [sine, weight]
             }
             Weight::Line(_) => {
-                let half_pi = half_pi();
-                [t.scaled(&half_pi).sin_cos().0, t.constant(&half_pi)]
+                let quarter_turn = quarter_turn();
+                [t.product(&quarter_turn).sin_cos().0, quarter_turn]
             }
             Weight::Winkler => [t.clone(), t.clone()],
             Weight::Graded(k) => {
@@ -175,7 +175,15 @@ impl Ray<'_> {
     }
 }
 
+/// The logarithm of 10⁷⁵ to the base 2: the fourth power of a radius up to there is a double.
+const MODERATE: i32 = 250;
+
 impl Integrand for Ray<'_> {
+    fn is_moderate(&self) -> bool {
+        let exponents = [self.x.lower(), self.x.upper()].map(Float::get_exp);
+        exponents.iter().all(|exponent| exponent.is_some_and(|exponent| exponent.abs() < MODERATE))
+    }
+
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
         if let (Some(k), Weight::HalfSpace | Weight::Winkler | Weight::Line(_)) = (self.part.root(), self.weight) {
             return self.at_root(t, k);

@@ -1,6 +1,6 @@
 //! How an integral over the heights of a formula is cut, and how precise it is made.
 
-use mdr_core::calculus::enclose::BOUND_BITS;
+use mdr_core::calculus::enclose::{BOUND_BITS, DOUBLE_BITS};
 use mdr_core::number::{Interval, Precision, Real};
 use rug::Float;
 use rug::float::Round;
@@ -13,6 +13,9 @@ const WIDEST: f64 = 1.5;
 const SPARE: i32 = 6;
 /// and below the width of an enclosure over an interval of radii.
 const BELOW_WIDTH: i32 = 9;
+
+/// Intervals of radii that are wider than 2^−WIDE of themselves are integrated in doubles, whose roundings are far narrower.
+const WIDE: i32 = 26;
 
 /// How precisely an interval of radii is integrated.
 pub(super) struct Span {
@@ -32,13 +35,21 @@ impl Span {
         let bits = x.lower().prec();
         let ratio = Float::with_val_round(BOUND_BITS, x.upper() / x.lower(), Round::Up).0;
         let width = Float::with_val_round(BOUND_BITS, x.upper() - x.lower(), Round::Up).0 / x.lower();
-        let finest = Float::with_val(BOUND_BITS, Float::i_exp(1, SPARE - bits as i32));
         let by_width = Float::with_val(BOUND_BITS, &width) >> BELOW_WIDTH;
         // Half of the bits say all about an interval of that width.
         let is_wide = width > Float::with_val(BOUND_BITS, Float::i_exp(1, -(bits as i32) / 2));
-        let enough = width.get_exp().map_or(bits, |exponent| (2 * exponent.unsigned_abs() + 64).min(bits));
-        Span { is_wide, ratio, bits: if is_wide { enough } else { bits }, aim: finest.max(&by_width) }
+        let enough = match width.get_exp() {
+            Some(exponent) if exponent > -WIDE => DOUBLE_BITS.min(bits),
+            Some(exponent) if is_wide => (2 * exponent.unsigned_abs() + 64).min(bits),
+            _ => bits,
+        };
+        Span { is_wide, ratio, bits: enough, aim: finest(enough).max(&by_width) }
     }
+}
+
+/// The finest aim for so many bits.
+fn finest(bits: u32) -> Float {
+    Float::with_val(BOUND_BITS, Float::i_exp(1, SPARE - bits as i32))
 }
 
 /// An enclosure of places t on which breaks lie, and the parts before and after them.
