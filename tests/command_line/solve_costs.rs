@@ -24,7 +24,7 @@ fn evaluations(scene: &str) -> usize {
     let assert = mdr("solve - --explain --digits 12").stdin(scene).assert().success();
     let text = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
     let counts = |line: &str| -> usize {
-        let known = ["f64", "mp", "interval with slope", "interval"];
+        let known = ["f64", "interval with slope", "interval"];
         let Some(rest) = known.iter().find_map(|name| Some(line.split_once(&format!("{name}  "))?.1)) else { return 0 };
         rest.split_whitespace().take(3).map(|count| count.parse::<usize>().unwrap()).sum()
     };

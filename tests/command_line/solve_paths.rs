@@ -23,7 +23,7 @@ fn a_path_that_leaves_the_proved_range_is_not_proved() {
     let on = |range: &str| solved(&format!("{figure}\n[output.folds]\nrange = [{range}]\n"), "--digits 6");
     for range in ["\"0.05\", \"1\"", "\"0.06\", \"1\"", "\"0.03\", \"0.05\"", "\"0.01\", \"0.03\""] {
         let answer = on(range);
-        assert_eq!((&answer["promise"]["path"], &answer["complete"]["path"]["proved"]), (&"mp".into(), &false.into()));
+        assert_eq!((&answer["promise"]["path"], &answer["complete"]["path"]["proved"]), (&"f64".into(), &false.into()));
         assert!(answer["complete"]["path"]["why"].as_str().unwrap().contains("not every state"), "{answer}");
         assert_eq!(events(&answer), ["start", "jump", "detached", "end"], "{answer}");
         near(&answer["path"][2]["contact_radius"], 0.0189447, 1e-5);

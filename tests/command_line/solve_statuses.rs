@@ -256,7 +256,7 @@ fn a_list_that_is_undecided_says_so_in_its_heading() {
     assert!(apart["complete"]["folds"].get("undecided").is_none(), "{apart}");
 }
 
-/// At a kink the pressure is not enclosed: this number alone is an estimate, or infinite where the slope jumps.
+/// At a kink the pressure is not enclosed: this number alone is a double, or infinite where the slope jumps.
 #[test]
 fn one_pressure_at_a_kink_does_not_take_the_others_along() {
     let wants = "{ want = [\"pressure\"], equilibria.at = [\"1e-2\"], pressure.at = [\"0.05\", \"0.06\"] }";
@@ -265,13 +265,13 @@ fn one_pressure_at_a_kink_does_not_take_the_others_along() {
     let answer = solved(&smooth, "--digits 12");
     assert_eq!(answer["promise"]["pressure"], "certified");
     let samples = &answer["pressure"][0]["states"][0]["pressure"];
-    assert_eq!((&samples[0]["promise"], &samples[0]["status"]), (&"mp".into(), &"ok".into()), "{samples}");
+    assert_eq!((&samples[0]["promise"], &samples[0]["status"]), (&"f64".into(), &"ok".into()), "{samples}");
     assert!((number(&samples[0]["pressure"]) / 0.147_996_705_805_038 - 1.0).abs() < 1e-11, "{samples}");
     assert!(samples[1].get("promise").is_none() && samples[1]["status"] == "ok", "{samples}");
     let csv = mdr("solve - --digits 12 --format csv").stdin(smooth).assert().success();
     let csv = String::from_utf8(csv.get_output().stdout.clone()).unwrap();
     let promises: Vec<_> = csv.lines().map(|line| line.split(',').nth(1).unwrap()).collect();
-    assert_eq!(promises, ["promise", "mp", "certified"], "{csv}");
+    assert_eq!(promises, ["promise", "f64", "certified"], "{csv}");
 
     let answer = solved(&scene("r^2/2+0.1*max(r-0.05,0)"), "--digits 12");
     assert_eq!(answer["promise"]["pressure"], "certified");

@@ -82,8 +82,8 @@
 //! * `toml`, `serde` (default): scenes as TOML; scenes and answers as JSON.
 //!
 //! # Accuracy
-//! Certified digits are proved and correctly rounded. Estimated digits agree in two working precisions. Doubles are accurate to
-//! some roundings times the condition of the question, and never stand in for a number that f64 cannot hold.
+//! Certified digits are proved and correctly rounded. Doubles are accurate to some roundings times the condition of the question,
+//! and never stand in for a number that f64 cannot hold.
 //!
 //! # What mdr does not do
 //! * **Adhesion of long range**: only Tabor's number, and the states and pull-off force of Maugis–Dugdale: [`validity`].

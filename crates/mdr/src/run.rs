@@ -9,7 +9,7 @@ use crate::answer::{Output, OutputKind};
 use crate::scene::Want;
 
 /// The arithmetics, as costs name them.
-pub const ARITHMETICS: [&str; 4] = ["f64", "mp", "interval", "interval with slope"];
+pub const ARITHMETICS: [&str; 3] = ["f64", "interval", "interval with slope"];
 
 /// The cost of an output. Times are measured by the caller.
 #[derive(Clone, Debug, PartialEq, Eq)]

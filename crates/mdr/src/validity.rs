@@ -111,8 +111,8 @@ impl Validity {
 
     /// How far its numbers can be trusted. In certified digits every digit is proved, on a homogeneous half-space of shapes, formulas
     /// and their sums: at `contact_radius` there is a fold, and a minimum of the force along the states with a ring has these numbers.
-    /// That no other minimum is lower is found by a search in f64, as `regime` and `admissible` are. Where a proof does not succeed, two
-    /// precisions agree on the digits of shapes, and the numbers of formulas are doubles, as those of tables always are.
+    /// That no other minimum is lower is found by a search in f64, as `regime` and `admissible` are. Where a proof does not succeed, the
+    /// numbers are doubles.
     pub fn promise(&self) -> Promise {
         let numbers = [&self.tabor, &self.contact_radius, &self.maugis_dugdale_pull_off, &self.slope];
         numbers.into_iter().find_map(Value::promise).unwrap_or(Promise::F64)

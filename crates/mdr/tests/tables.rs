@@ -44,18 +44,17 @@ fn a_path_over_a_table_that_cannot_start_is_refused_for_next_to_no_work() {
     assert!(solve(&scene(100, "0.01", None), 0.02).is_ok(), "it can start");
 }
 
+/// The table is too long for a proof: what f64 finds is there, with its energies unless they are not wanted.
 #[test]
-fn a_long_table_has_its_events_whatever_its_energies_take() {
-    for (energies, why) in [(None, "energies = \"yes\""), (Some(true), "the budget was spent"), (Some(false), "")] {
-        let path = path(solve(&scene(1000, "0.01", energies), 2.0).expect("an answer"));
+fn a_long_table_has_its_events_and_its_energies() {
+    for energies in [None, Some(true), Some(false)] {
+        let path = path(solve(&scene(1100, "0.01", energies), 2.0).expect("an answer"));
         let kinds: Vec<EventKind> = path.events.items.iter().map(|event| event.event).collect();
         assert_eq!(kinds, [EventKind::Start, EventKind::Detached, EventKind::End], "{energies:?}");
-        let radius = path.events.items[1].contact_radius.as_ref().expect("a radius").to_string();
-        assert!((radius.parse::<f64>().expect("a number") - 0.0698).abs() < 1e-4 && radius.len() > 20, "{radius}");
+        let radius = path.events.items[1].contact_radius.as_ref().and_then(Value::to_f64).expect("a radius");
+        assert!((radius - 0.0698).abs() < 1e-4, "{radius}");
         match path.balance {
-            Some(balance) => {
-                assert!(matches!(&balance.work, Value::Unknown { why: Some(said), .. } if said.contains(why)))
-            }
+            Some(balance) => assert!(balance.work.to_f64().is_some() && energies != Some(false), "{balance:?}"),
             None => assert_eq!(energies, Some(false)),
         }
     }

@@ -44,7 +44,7 @@ pub trait Integrand {
     /// The values at t, or enclosures over a set of t; `None` where one is not defined or not shown to be analytic.
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>>;
 
-    /// Whether its numbers are far from the ends of the range of doubles: what these do not show has no image in more bits either.
+    /// Whether its numbers are far from the ends of the range of doubles, in which they may be bounded then.
     fn is_moderate(&self) -> bool {
         false
     }
@@ -65,12 +65,12 @@ pub trait Sampled {
     /// Enclosures over a real interval; `None` where one is not defined.
     fn range(&self, t: &Interval) -> Option<Vec<Interval>>;
 
-    /// The [range](Sampled::range) in doubles; `None` also where they do not reach.
+    /// The [range](Sampled::range) in doubles, of what [is moderate](Sampled::is_moderate).
     fn range_in_doubles(&self, _t: &DoubleInterval) -> Option<Vec<DoubleInterval>> {
         None
     }
 
-    /// The [image](Sampled::image) in doubles; `None` also where they do not reach.
+    /// The [image](Sampled::image) in doubles, of what [is moderate](Sampled::is_moderate).
     fn image_in_doubles(&self, _t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
         None
     }
@@ -176,7 +176,8 @@ fn pieces(
         match best_rule(f, [&middle, &half], piece.ellipse, &share, most) {
             Some(rule) if rule.nodes <= most => {
                 let ends = [&middle, &half];
-                let in_doubles = if goal.bits <= DOUBLE_BITS { rule.sum_in_doubles(f, ends)? } else { None };
+                let is_rough = goal.bits <= DOUBLE_BITS && f.is_moderate();
+                let in_doubles = if is_rough { rule.sum_in_doubles(f, ends)? } else { None };
                 let values = if in_doubles.is_some() { in_doubles } else { rule.sum(f, ends, goal.bits)? };
                 let values = values.ok_or_else(|| open("an integral, whose integrand is not defined at a node"))?;
                 for ((sum, value), bound) in sums.iter_mut().zip(values).zip(&rule.bounds) {
@@ -331,9 +332,11 @@ fn bounds(f: &impl Sampled, middle: &Float, half: &Float, rho: f64) -> Option<Ve
     let [long, short] = [axis(1.0), axis(-1.0)];
     let re = Interval::new(rounded!(Down, middle - &long), rounded!(Up, middle + &long));
     let ellipse = Rectangle::new(re, Interval::new(Float::new(BOUND_BITS), short));
-    let in_doubles = Rectangle::new(DoubleInterval::around(ellipse.re()), DoubleInterval::around(ellipse.im()));
-    let rough = f.image_in_doubles(&in_doubles).and_then(|image| image.iter().map(half_diagonal).collect());
-    if rough.is_some() || f.is_moderate() { rough } else { f.image(&ellipse)?.iter().map(half_diagonal).collect() }
+    if f.is_moderate() {
+        let in_doubles = Rectangle::new(DoubleInterval::around(ellipse.re()), DoubleInterval::around(ellipse.im()));
+        return f.image_in_doubles(&in_doubles)?.iter().map(half_diagonal).collect();
+    }
+    f.image(&ellipse)?.iter().map(half_diagonal).collect()
 }
 
 /// Half the diagonal of a rectangle, rounded up; `None` if it is not finite.
@@ -388,7 +391,8 @@ fn by_range(f: &impl Sampled, piece: &Piece, tolerances: &[Float]) -> Option<Vec
     let widened = |ranges: Vec<DoubleInterval>| {
         ranges.iter().map(|range| range.widened(Precision::new(BOUND_BITS))).collect::<Vec<_>>()
     };
-    let in_doubles = f.range_in_doubles(&DoubleInterval::around(&over)).map(widened);
+    let rough = || f.range_in_doubles(&DoubleInterval::around(&over)).map(widened);
+    let in_doubles = if f.is_moderate() { rough() } else { None };
     in_doubles.and_then(areas).or_else(|| areas(f.range(&over)?))
 }
 

@@ -3,7 +3,9 @@
 use super::*;
 
 /// 1/(1 + 4t²) on [−1, 1], with poles at ±i/2 and the integral arctan 2, and t² beside it.
-struct Runge;
+struct Runge {
+    in_doubles: bool,
+}
 
 impl Integrand for Runge {
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
@@ -11,14 +13,19 @@ impl Integrand for Runge {
         let square = t.squared();
         Some(vec![one.quotient(&one.plus(&t.integer(4).product(&square)))?, square])
     }
+
+    fn is_moderate(&self) -> bool {
+        self.in_doubles
+    }
 }
 
-fn runge(bits: u32, exponent: i32, keep: impl Fn(usize) -> bool) -> Vec<Interval> {
+/// In intervals of any precision, and where they bound it in doubles.
+fn runge(bits: u32, exponent: i32, in_doubles: bool, keep: impl Fn(usize) -> bool) -> Vec<Interval> {
     let tolerances = vec![Float::with_val(BOUND_BITS, Float::i_exp(1, exponent)); 2];
     let goal = Goal { bits, tolerances, pieces: 200 };
     let ends = [Float::with_val(BOUND_BITS, -1), Float::with_val(BOUND_BITS, 1)];
     let kept = |piece, error: Float| if keep(piece) { error } else { Float::new(BOUND_BITS) };
-    pieces(&Runge, [&ends[0], &ends[1]], &goal, kept).unwrap()
+    pieces(&Runge { in_doubles }, [&ends[0], &ends[1]], &goal, kept).unwrap()
 }
 
 fn truths() -> [Interval; 2] {
@@ -35,8 +42,10 @@ fn hold(found: &[Interval]) -> bool {
 fn enclosures_hold_at_any_precision_and_tolerance() {
     for bits in [8, 12, 16, 20, 24, 53, 64, 113, 300] {
         for exponent in [-1, -4, -8, -(bits as i32)] {
-            let found = runge(bits, exponent, |_| true);
-            assert!(hold(&found), "{bits} bits, 2^{exponent}: {found:?}");
+            for in_doubles in [false, true] {
+                let found = runge(bits, exponent, in_doubles, |_| true);
+                assert!(hold(&found), "{bits} bits, 2^{exponent}: {found:?}");
+            }
         }
     }
 }
@@ -45,8 +54,11 @@ fn enclosures_hold_at_any_precision_and_tolerance() {
 #[test]
 fn a_dropped_remainder_is_caught() {
     for bits in [12, 16, 20, 24] {
-        assert!(hold(&runge(bits, 8, |_| true)));
-        assert!(!hold(&runge(bits, 8, |piece| piece != 1)), "{bits} bits: {:?}", runge(bits, 8, |piece| piece != 1));
+        for in_doubles in [false, true] {
+            assert!(hold(&runge(bits, 8, in_doubles, |_| true)));
+            let short = runge(bits, 8, in_doubles, |piece| piece != 1);
+            assert!(!hold(&short), "{bits} bits: {short:?}");
+        }
     }
 }
 
@@ -54,6 +66,6 @@ fn a_dropped_remainder_is_caught() {
 fn a_spent_number_of_pieces_is_an_error() {
     let goal = Goal { bits: 64, tolerances: vec![Float::with_val(BOUND_BITS, 1e-18); 2], pieces: 3 };
     let ends = [Float::with_val(BOUND_BITS, -1), Float::with_val(BOUND_BITS, 1)];
-    let found = enclose(&Runge, [&ends[0], &ends[1]], &goal);
+    let found = enclose(&Runge { in_doubles: false }, [&ends[0], &ends[1]], &goal);
     assert!(matches!(found, Err(Error::Undecided { quantity: Quantity::Integral, bits: 64, .. })), "{found:?}");
 }

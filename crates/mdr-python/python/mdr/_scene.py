@@ -16,7 +16,7 @@ from ._profiles import Files, scene_text
 from ._states import html_table
 
 File: TypeAlias = Union[str, "os.PathLike[str]"]
-Promise: TypeAlias = Literal["certified", "mp", "f64"]
+Promise: TypeAlias = Literal["certified", "f64"]
 
 # Lists of an answer that are no output.
 _NO_OUTPUTS = ("notes",)

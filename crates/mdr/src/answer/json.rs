@@ -137,7 +137,7 @@ impl Serialize for Value {
 impl Serialize for Number {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
-            Number::Certified(decimal) | Number::Estimated(decimal) => serializer.serialize_str(&decimal.to_string()),
+            Number::Certified(decimal) => serializer.serialize_str(&decimal.to_string()),
             // −0 is written as 0.
             Number::F64(value) => serializer.serialize_f64(*value + 0.0),
         }

@@ -11,8 +11,6 @@ named! {
     pub enum Promise {
         /// Hardware arithmetic: accurate to some roundings times the condition of the question; nothing is proved.
         F64 = "f64",
-        /// Two working precisions agree on every printed digit; the error is estimated, not proved.
-        Estimated = "mp",
         /// Every printed digit is proved, and the last is correctly rounded.
         Certified = "certified",
     }
@@ -23,8 +21,6 @@ named! {
 pub enum Number {
     /// Correctly rounded; every digit is proved.
     Certified(Decimal),
-    /// Two precisions agree on these digits.
-    Estimated(Decimal),
     /// A double.
     F64(f64),
 }
@@ -34,7 +30,6 @@ impl Number {
     pub fn promise(&self) -> Promise {
         match self {
             Number::Certified(_) => Promise::Certified,
-            Number::Estimated(_) => Promise::Estimated,
             Number::F64(_) => Promise::F64,
         }
     }
@@ -42,17 +37,17 @@ impl Number {
     /// The nearest double; ±∞ and ±0 beyond the range of f64.
     pub fn to_f64(&self) -> f64 {
         match self {
-            Number::Certified(decimal) | Number::Estimated(decimal) => decimal.to_f64(),
+            Number::Certified(decimal) => decimal.to_f64(),
             Number::F64(value) => *value,
         }
     }
 }
 
-/// Writes every proved or estimated digit; a double is written so that it reads back as itself.
+/// Writes every proved digit; a double is written so that it reads back as itself.
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Number::Certified(decimal) | Number::Estimated(decimal) => decimal.fmt(f),
+            Number::Certified(decimal) => decimal.fmt(f),
             // −0 is no other number than 0.
             Number::F64(0.0) => f.write_str("0"),
             Number::F64(value) if (1e-6..1e16).contains(&value.abs()) => write!(f, "{value}"),
@@ -162,9 +157,7 @@ impl Value {
     /// ```
     pub fn to_f64(&self) -> Option<f64> {
         let (nearest, is_zero) = match self {
-            Value::Known(number @ (Number::Certified(decimal) | Number::Estimated(decimal))) => {
-                (number.to_f64(), decimal.is_zero())
-            }
+            Value::Known(number @ Number::Certified(decimal)) => (number.to_f64(), decimal.is_zero()),
             Value::Known(Number::F64(value)) => (*value, true),
             Value::Given(literal) => (literal.nearest_f64(), literal.is_zero()),
             Value::Unknown { .. } => return None,

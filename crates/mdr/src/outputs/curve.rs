@@ -2,8 +2,6 @@
 
 use std::cmp::Ordering;
 
-#[cfg(feature = "mp")]
-use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Edge, Error, Quantity, Result, Stability};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
@@ -21,8 +19,6 @@ use crate::answer::record::{constant_parts, record};
 use crate::answer::{Admission, Cell, List, Value};
 #[cfg(feature = "mp")]
 use crate::solve::certified::Certified;
-#[cfg(feature = "mp")]
-use crate::solve::digits::agree;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::sample;
 use crate::solve::search::{self, Search};
@@ -98,16 +94,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
             Ok(points(&model, &radii, &*certified.admissibility()?)?.convert(Enclosure::from))
         })?;
         Ok(items.map(|items| Output::Curve(List::new(Promise::Certified, items))))
-    }
-
-    #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        let radii = self.radii(|| certified.search())?;
-        let items = agree(certified.digits, |precision| {
-            let model = certified.model::<rug::Float>(precision)?;
-            Ok(points(&model, &radii, &*certified.admissibility()?)?.convert(Estimate::exact))
-        })?;
-        Ok(Output::Curve(List::new(Promise::Estimated, items)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {

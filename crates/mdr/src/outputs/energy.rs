@@ -14,8 +14,6 @@ use {
 };
 
 use super::path::edges::{self, Held};
-#[cfg(feature = "mp")]
-use super::path::with_edges;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject, not_wanted};
 use super::{Output, Want};
 use crate::answer::record::{Numbers, record};
@@ -81,16 +79,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
             of_proved(certified, proved, state, record)
         })?;
         Ok(items.map(|items| Output::Energy(List::new(Promise::Certified, items))))
-    }
-
-    #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        let items = if certified.scene.has_two_works() {
-            with_edges(certified, |edges| edges::agreed(edges, |edges| edges::first(edges, described)))?
-        } else {
-            certified.estimated_at(self.states, &|states, values| energies(states, values))?
-        };
-        Ok(Output::Energy(List::new(Promise::Estimated, items)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {

@@ -123,12 +123,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
         Ok(Some(Output::Equilibria(list)))
     }
 
-    #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        let items = estimated_at(certified, self.at)?;
-        Ok(Output::Equilibria(List::new(Promise::Estimated, items).complete(certified.searched()?)))
-    }
-
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let items = at_values(&search.states()?, self.at)?;
         Ok(Output::Equilibria(search::estimates(items).complete(search.completeness()?)))
@@ -163,8 +157,8 @@ fn judged<R: SceneReal>(
 }
 
 #[cfg(feature = "mp")]
-fn estimated_at(certified: &Certified<'_>, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium>>> {
-    certified.estimated_at(values, &|states, values| at_values(states, values))
+fn in_doubles_at(certified: &Certified<'_>, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium>>> {
+    at_values(&certified.plain()?.states()?, values).map(search::doubles)
 }
 
 /// Each value for itself: proved where that can be, and whether it is.
@@ -174,13 +168,13 @@ fn one_by_one(certified: &Certified<'_>, folds: &FoldProof, values: &[Literal]) 
         let values = std::slice::from_ref(value);
         let proved = proved_at(certified, folds, values)?;
         let flag = Some(proved.is_some());
-        let items = proved.map_or_else(|| estimated_at(certified, values), Ok)?;
+        let items = proved.map_or_else(|| in_doubles_at(certified, values), Ok)?;
         Ok(items.into_iter().map(|item| AtValue { proved: flag, ..item }).collect::<Vec<_>>())
     };
     let items = values.iter().map(at).collect::<Result<Vec<_>>>()?.concat();
-    let mut searched = certified.searched()?;
+    let mut searched = certified.plain()?.completeness()?;
     searched.why = format!("at the values that are not marked as proved {}", searched.why);
-    Ok(List::new(Promise::Estimated, items).complete(searched))
+    Ok(List::new(Promise::F64, items).complete(searched))
 }
 
 /// The completeness of proved equilibria.

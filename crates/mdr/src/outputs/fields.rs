@@ -10,8 +10,6 @@ use mdr_numeric::fields::Fields;
 
 use super::Output;
 use super::path::edges::{self, Held};
-#[cfg(feature = "mp")]
-use super::path::with_edges;
 use super::room::{Open, Request, Room};
 use crate::answer::record::{Numbers, Part, Row};
 use crate::answer::{Admission, AtValue, Cell, Column, List, Number, PlainState, Promise, Value};
@@ -134,9 +132,9 @@ pub(super) trait FieldRoom<'w> {
     #[cfg(feature = "mp")]
     fn enclosed(fields: &EnclosedFields<'_>, r: &Interval) -> Result<Interval>;
 
-    /// Whether the field of a state is not enclosed at a radius, and has to be estimated there.
+    /// Whether the field of a state is not enclosed at a radius, and has to be taken from f64 there.
     #[cfg(feature = "mp")]
-    fn is_estimated(_: &EnclosedFields<'_>, _: &Interval) -> bool {
+    fn is_in_doubles(_: &EnclosedFields<'_>, _: &Interval) -> bool {
         false
     }
 
@@ -192,29 +190,21 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
         })?;
         let Some(mut items) = items else { return Ok(None) };
         if samples_of(&mut items).any(|sample| sample.promise.is_some()) {
-            match self.estimated(certified) {
-                Ok(estimated) => insert_estimates(&mut items, estimated),
+            match certified.plain().and_then(|search| self.searched(search)) {
+                Ok(searched) => insert_doubles(&mut items, searched),
                 // The other samples are there.
-                Err(Error::BudgetSpent { .. } | Error::Undecided { .. } | Error::NoConvergence { .. }) => {
+                Err(
+                    Error::BudgetSpent { .. }
+                    | Error::Undecided { .. }
+                    | Error::NoConvergence { .. }
+                    | Error::OutOfRange { .. },
+                ) => {
                     samples_of(&mut items).for_each(|sample| sample.promise = None);
                 }
                 Err(error) => return Err(error),
             }
         }
         Ok(Some(F::OUTPUT(List::new(Promise::Certified, items))))
-    }
-
-    #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        let [states, at] = self.question();
-        let items = if certified.scene.has_two_works() {
-            with_edges(certified, |edges| {
-                edges::agreed(edges, |edges| edges::first(edges, |states, held| of_state::<_, F>(states, held, at)))
-            })?
-        } else {
-            certified.estimated_at(states, &|states, values| described::<_, F>(states, values, at))?
-        };
-        Ok(F::OUTPUT(List::new(Promise::Estimated, items)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
@@ -263,10 +253,10 @@ fn samples_of(items: &mut [AtValue<FieldState>]) -> impl Iterator<Item = &mut Fi
     items.iter_mut().flat_map(|at| &mut at.items).flat_map(|state| &mut state.samples)
 }
 
-/// Gives the samples that are not enclosed their estimates. Where the estimates are of other states, they stay undecided.
+/// Gives the samples that are not enclosed their values in f64. Where these are of other states, they stay undecided.
 #[cfg(feature = "mp")]
-fn insert_estimates(items: &mut [AtValue<FieldState>], estimated: Output) {
-    let (Output::Pressure(list) | Output::Gap(list) | Output::Displacement(list)) = estimated else { return };
+fn insert_doubles(items: &mut [AtValue<FieldState>], searched: Output) {
+    let (Output::Pressure(list) | Output::Gap(list) | Output::Displacement(list)) = searched else { return };
     for (at, other) in items.iter_mut().zip(list.items) {
         if at.items.len() != other.items.len() {
             continue;
@@ -346,8 +336,8 @@ fn proved_samples<'w, F: FieldRoom<'w>>(
     let given = radii.iter().map(|literal| (Value::Given(literal.clone()), proved.model.number(literal)));
     let sample = |(r, at): (_, Interval)| {
         let (value, promise) = match F::enclosed(fields, &at) {
-            Err(error @ Error::Unproved { .. }) if F::is_estimated(fields, &at) => {
-                (Value::unknown(Status::Undecided, error.to_string()), Some(Promise::Estimated))
+            Err(error @ Error::Unproved { .. }) if F::is_in_doubles(fields, &at) => {
+                (Value::unknown(Status::Undecided, error.to_string()), Some(Promise::F64))
             }
             value => (Value::from_result(value.map(Enclosure::from))?, None),
         };

@@ -2,8 +2,6 @@
 
 #[cfg(feature = "mp")]
 use mdr_analytic::certified;
-#[cfg(feature = "mp")]
-use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Edge, FoldKind, Regime, Result, Status};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
@@ -28,10 +26,9 @@ use crate::solve::verdict;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
-    digits::{agree, decide},
+    digits::decide,
     power_law::{self, PowerLaw},
     proof::{self, Enclosed, FoldProof},
-    refine::refined,
 };
 
 record! {
@@ -122,17 +119,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
         certified.fold_proof()?.map(|folds| proved(certified, folds).map(Output::Folds)).transpose()
-    }
-
-    #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        let items = agree(certified.digits, |precision| {
-            let model = certified.model::<rug::Float>(precision)?;
-            let admissibility = certified.admissibility()?;
-            let folds = refined(&model, certified.search()?.folds()?)?.folds.into_iter();
-            Ok(folds.map(|fold| judged(&model, fold, &admissibility)).collect::<Vec<_>>().convert(Estimate::exact))
-        })?;
-        Ok(Output::Folds(List::new(Promise::Estimated, items).complete(certified.searched()?)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {

@@ -1,7 +1,7 @@
 //! The outputs of a scene, one room each.
 //!
 //! A room is a module that says all of one output: the keys of its question, its record with the headings and units of the
-//! columns, how it is computed in f64, in two precisions and over enclosures, its closed form for power laws where there is one,
+//! columns, how it is computed in f64 and over enclosures, its closed form for power laws where there is one,
 //! and what is left of it where it cannot be computed. An output is added by three files: its room; this one, with its `mod`, its
 //! records and its entry in the list below; and docs/scenes.md, with its row.
 

@@ -47,7 +47,7 @@ impl<'w> FieldRoom<'w> for Room<'w> {
     }
 
     #[cfg(feature = "mp")]
-    fn is_estimated(fields: &EnclosedFields<'_>, r: &Interval) -> bool {
+    fn is_in_doubles(fields: &EnclosedFields<'_>, r: &Interval) -> bool {
         fields.is_at_kink(r)
     }
 }

@@ -7,7 +7,7 @@ use super::key::{Key, Keys};
 use super::{Output, OutputKind, Want};
 use crate::answer::record::{Numbers, Row};
 use crate::answer::{AtValue, Column, Completeness, List, Number, NumberStyle, Promise, Value};
-use crate::scene::{Arithmetic, Scene};
+use crate::scene::Scene;
 use crate::solve::search::{Search, not_proved};
 #[cfg(feature = "mp")]
 use crate::solve::{certified::Certified, power_law::PowerLaw};
@@ -100,13 +100,6 @@ pub(crate) trait Room<'w>: Request<'w> {
         Ok(None)
     }
 
-    /// The output in digits on which two precisions agree.
-    ///
-    /// # Errors
-    /// Errors of the transform, of the quadratures and of the search.
-    #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output>;
-
     /// The output in f64.
     ///
     /// # Errors
@@ -125,7 +118,7 @@ pub(crate) trait Room<'w>: Request<'w> {
         false
     }
 
-    /// The output of [`searched`](Room::searched) or [`estimated`](Room::estimated), compared with the closed forms of a power law.
+    /// The output of [`searched`](Room::searched), compared with the closed forms of a power law.
     ///
     /// # Errors
     /// A decision that no precision makes.
@@ -148,11 +141,7 @@ pub(crate) struct Open<'a> {
 
 impl<'a> Open<'a> {
     pub(crate) fn new(scene: &'a Scene, error: &'a Error) -> Self {
-        let promise = match scene.arithmetic {
-            Arithmetic::Certified { .. } => Promise::Estimated,
-            Arithmetic::F64 => Promise::F64,
-        };
-        Open { scene, error, promise, why: error.to_string() }
+        Open { scene, error, promise: Promise::F64, why: error.to_string() }
     }
 
     /// No number.

@@ -1,7 +1,5 @@
 //! The output `transform`: g, g' and ∫g of the profile at radii.
 
-#[cfg(feature = "mp")]
-use mdr_core::calculus::Estimate;
 use mdr_core::contact::Result;
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
@@ -18,8 +16,6 @@ use crate::answer::{List, Value};
 use crate::answer::{Number, Promise};
 #[cfg(feature = "mp")]
 use crate::solve::certified::Certified;
-#[cfg(feature = "mp")]
-use crate::solve::digits::agree;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
 
@@ -69,14 +65,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
             Ok(samples(&certified.model::<Interval>(precision)?, self.at)?.convert(Enclosure::from))
         })?;
         Ok(items.map(|items| Output::Transform(List::new(Promise::Certified, items))))
-    }
-
-    #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        let items = agree(certified.digits, |precision| {
-            Ok(samples(&certified.model::<rug::Float>(precision)?, self.at)?.convert(Estimate::exact))
-        })?;
-        Ok(Output::Transform(List::new(Promise::Estimated, items)))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {

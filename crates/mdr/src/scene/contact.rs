@@ -26,17 +26,12 @@ use crate::solve::media;
 
 type Result<T> = mdr_core::contact::Result<T>;
 
-/// An arithmetic in which the contact of a scene is assembled: `f64`, `rug::Float`, intervals, and dual numbers over intervals.
+/// An arithmetic in which the contact of a scene is assembled: `f64`, intervals, and dual numbers over intervals.
 ///
-/// The transform of a formula is a quadrature in the first two and rigorous in the others.
+/// The transform of a formula is a quadrature in the first and rigorous in the others.
 pub trait SceneReal: Struve + Kappa + GradedReal {
     /// Its place among the [`ARITHMETICS`](crate::ARITHMETICS).
     const INDEX: usize;
-
-    /// The error of a quadrature that a scene accepts, if the arithmetic has more digits than requested.
-    fn accepted(_: &Scene, _: Self::Ctx) -> Option<Self> {
-        None
-    }
 
     /// The transform of a formula on a medium, and of a shape that is written as one there, if the arithmetic has a better one than
     /// a quadrature.
@@ -59,31 +54,8 @@ impl SceneReal for f64 {
 }
 
 #[cfg(feature = "mp")]
-impl SceneReal for rug::Float {
-    const INDEX: usize = 1;
-
-    fn accepted(scene: &Scene, ctx: Self::Ctx) -> Option<Self> {
-        use mdr_core::number::Real;
-        match scene.arithmetic {
-            crate::scene::Arithmetic::Certified { digits } => {
-                Some(Self::from_int(ctx, 2).powi(-crate::solve::digits::bits_of_quadratures(digits)))
-            }
-            crate::scene::Arithmetic::F64 => None,
-        }
-    }
-
-    /// With half of its digits, as an estimate.
-    fn enclosing(&self) -> Option<Interval> {
-        use mdr_core::number::Real;
-        let number = Interval::point(self.clone());
-        let width = number.lit(2).powi(-i64::from(self.prec() / 2)) * number.abs();
-        Some(number.inflate(&width))
-    }
-}
-
-#[cfg(feature = "mp")]
 impl SceneReal for Interval {
-    const INDEX: usize = 2;
+    const INDEX: usize = 1;
 
     fn enclosing(&self) -> Option<Interval> {
         Some(self.clone())
@@ -97,7 +69,7 @@ impl SceneReal for Interval {
 
 #[cfg(feature = "mp")]
 impl SceneReal for Dual<Interval> {
-    const INDEX: usize = 3;
+    const INDEX: usize = 2;
 
     fn of_formula(profile: &Profile, medium: &ExactMedium, ctx: Self::Ctx) -> Option<Result<Box<dyn Transform<Self>>>> {
         let with_slopes = |transform| Box::new(EnclosedWithSlopes::new(transform)) as Box<dyn Transform<Self>>;
@@ -207,9 +179,8 @@ impl Scene {
             Error::require_positive(Quantity::Stiffness, number(Quantity::Stiffness, stiffness)?)
         })?;
         let formulas = |profile: &Profile| R::of_formula(profile, &self.medium, ctx);
-        let accepted = R::accepted(self, ctx);
         let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
-        let transform = media::transform(&self.profile, &self.medium, ctx, number, accepted.as_ref(), &formulas)?;
+        let transform = media::transform(&self.profile, &self.medium, ctx, number, &formulas)?;
         Ok(Contact::sharing(Arc::from(transform), medium, adhesion, control))
     }
 
@@ -249,8 +220,7 @@ pub(crate) type Formulas<'a, R> = &'a dyn Fn(&Profile) -> Option<Result<Box<dyn 
 /// The transformed profile: a closed form where there is one, `formulas` of a formula where the arithmetic has it, else its
 /// quadrature, and exact pieces of a table. `number` gets its numbers in the order of [`Profile::numbers`].
 ///
-/// Over intervals a quadrature has no meaning. It takes a relative error that is `accepted` where it cannot have the digits of the
-/// arithmetic.
+/// Over intervals a quadrature has no meaning.
 ///
 /// # Errors
 /// A parameter out of the domain of the profile; a wave, which needs a periodic medium.
@@ -258,24 +228,19 @@ pub(crate) fn by_formulas<R: Struve + Kappa>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
-    accepted: Option<&R>,
     formulas: Formulas<'_, R>,
 ) -> Result<Box<dyn Transform<R>>> {
     Ok(match profile {
         Profile::Shape(shape) => closed_form(shape.map(|_, literal| number(literal)))?,
         Profile::Sum(terms) => {
-            let terms = terms.iter().map(|term| by_formulas(term, ctx, number, accepted, formulas));
+            let terms = terms.iter().map(|term| by_formulas(term, ctx, number, formulas));
             Box::new(Sum::new(terms.collect::<Result<_>>()?))
         }
         Profile::Formula(formula) => {
             if let Some(transform) = formulas(profile) {
                 return transform;
             }
-            let quadrature = Quadrature::new(formula.bound(ctx, number)?);
-            Box::new(match accepted {
-                Some(error) => quadrature.accepting(error.clone())?,
-                None => quadrature,
-            })
+            Box::new(Quadrature::new(formula.bound(ctx, number)?))
         }
         Profile::Table(measured) => Box::new(measured.table.profile::<R>(ctx)?),
         Profile::Function(function) => {
@@ -320,7 +285,7 @@ impl Profile {
         ctx: R::Ctx,
         number: &mut dyn FnMut(&Literal) -> R,
     ) -> Result<Box<dyn Transform<R>>> {
-        by_formulas(self, ctx, number, None, &|_| None)
+        by_formulas(self, ctx, number, &|_| None)
     }
 
     /// The transformed profile g for a medium: that of [`Profile::transform`] on a half-space, and with the weight of the medium
@@ -344,7 +309,7 @@ impl Profile {
         ctx: R::Ctx,
         number: &mut dyn FnMut(&Literal) -> R,
     ) -> Result<Box<dyn Transform<R>>> {
-        media::transform(self, medium, ctx, number, None, &|_| None)
+        media::transform(self, medium, ctx, number, &|_| None)
     }
 }
 

@@ -11,7 +11,7 @@ pub const DEFAULT_DIGITS: u32 = 20;
 /// The arithmetic of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Arithmetic {
-    /// Every digit is proved where that can be; elsewhere two precisions agree on it, which the answer says.
+    /// Every digit is proved where that can be; elsewhere numbers are doubles, which the answer says.
     Certified {
         /// Significant decimal digits.
         digits: u32,

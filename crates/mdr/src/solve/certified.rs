@@ -1,34 +1,30 @@
-//! A scene in certified digits: enclosures where g is a closed form, two precisions elsewhere.
+//! A scene in certified digits: enclosures of closed forms, of integrals and of sums over rows.
 
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Error, Result};
+use mdr_core::contact::Result;
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Literal, Precision, Real};
+use mdr_core::number::{Interval, Precision, Real};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::Folds;
 use mdr_numeric::proof::EnclosedEnergy;
-use rug::Float;
 
-use super::digits::{MOST_OF_INTEGRALS, agree, decide, decide_within, start};
+use super::digits::{MOST_OF_INTEGRALS, decide, decide_within, start};
 use super::model::{Model, SceneReal};
 use super::proof::{self, FoldProof};
-use super::refine::refined;
 use super::rigorous::{Formulas, with_energies, without_energies};
-use super::search::{Search, not_proved};
-use super::states::States;
+use super::search::Search;
 use super::{Once, once};
+use crate::answer::Number;
 use crate::answer::record::Numbers;
-use crate::answer::{AtValue, Completeness, Number};
 use crate::run::Counts;
 use crate::scene::Scene;
 
 /// Up to this many rows the folds of a table are proved, and within the budget also those of rough ones: the cost grows with the rows and with
 /// the folds.
-pub(crate) const PROVED_ROWS: usize = 300;
+pub(crate) const PROVED_ROWS: usize = 1000;
 
 /// Answers a scene with certified digits. An f64 search supplies starting points and never contributes a digit.
 pub(crate) struct Certified<'s> {
@@ -36,18 +32,17 @@ pub(crate) struct Certified<'s> {
     pub(crate) digits: u32,
     pub(crate) counts: &'s Counts,
     search: Once<Search<'s>>,
+    plain: Once<Search<'s>>,
     folds: Once<Option<FoldProof>>,
     admissibility: Once<Arc<Admissibility>>,
     formulas: Once<Option<Formulas>>,
 }
 
-/// The states at values, in the arithmetic of an estimate.
-type Estimated<T> = Vec<AtValue<T>>;
-
 impl<'s> Certified<'s> {
     pub(crate) fn new(scene: &'s Scene, digits: u32, counts: &'s Counts) -> Self {
-        let (search, folds, admissibility) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Certified { scene, digits, counts, search, folds, admissibility, formulas: OnceCell::new() }
+        let (search, plain, folds) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        let (admissibility, formulas) = (OnceCell::new(), OnceCell::new());
+        Certified { scene, digits, counts, search, plain, folds, admissibility, formulas }
     }
 
     /// The profile as formulas; `None` if it is none, or their kinks are not known.
@@ -89,7 +84,7 @@ impl<'s> Certified<'s> {
     /// A parameter of the profile or the material that is out of its domain; see [`Certified::search`].
     pub(crate) fn admissibility(&self) -> Result<Arc<Admissibility>> {
         let found = once(&self.admissibility, || {
-            let rises = self.model::<Float>(start(self.digits))?.transform().rises();
+            let rises = self.model::<Interval>(start(self.digits))?.transform().rises();
             if rises {
                 return Ok(Arc::new(Admissibility::of_rising()));
             }
@@ -120,11 +115,27 @@ impl<'s> Certified<'s> {
         Model::new(self.scene, ctx, self.counts)
     }
 
+    /// The contact in f64 and SI units, for what cannot be proved.
+    ///
+    /// # Errors
+    /// A number that no double holds; errors of the search.
+    pub(crate) fn plain(&self) -> Result<&Search<'s>> {
+        once(&self.plain, || Ok(self.search()?.in_units(self.counts)?.knowing(self.admissibility()?, self.remark())))
+    }
+
+    /// Why more is not proved, where that is known.
+    fn remark(&self) -> Option<String> {
+        if let Some(rows) = self.scene.profile.rows().filter(|rows| *rows > PROVED_ROWS) {
+            return Some(format!("; tables are proved up to {PROVED_ROWS} rows, this has {rows}"));
+        }
+        let folds = self.folds.get()?.as_ref().ok()?.as_ref()?;
+        let [from, to] = [&folds.complete.from, &folds.complete.to].map(|end| end.as_deref().unwrap_or("infinity"));
+        Some(format!("; the folds are proved to be all within radii from {from} to {to} m, and not every state is"))
+    }
+
     /// The contact in f64 and SI units, with all its folds.
     pub(crate) fn in_doubles(&self) -> Result<(Model<f64>, Folds<f64>)> {
-        let model: Model<f64> = self.model(())?;
-        let folds = refined(&model, self.search()?.folds()?)?;
-        Ok((model, folds))
+        Ok((self.model(())?, self.plain()?.folds()?.clone()))
     }
 
     /// The digits of enclosures, decided at growing precision; `None` if the profile has no enclosures, or if they leave it open
@@ -145,28 +156,6 @@ impl<'s> Certified<'s> {
         proof::decided(decide_within(MOST_OF_INTEGRALS, start(self.digits), self.digits, f))
     }
 
-    /// The results at values, at two precisions; where these do not agree, each value for itself.
-    ///
-    /// # Errors
-    /// Errors of the search and of the quadratures.
-    pub(crate) fn estimated_at<T>(
-        &self,
-        values: &[Literal],
-        compute: &impl Fn(&States<'_, Float>, &[Literal]) -> Result<Estimated<T>>,
-    ) -> Result<Vec<AtValue<Printed<T>>>>
-    where
-        T: Numbers<Estimate<Float>> + Clone,
-    {
-        match (self.estimated(|states| compute(states, values)), values) {
-            (Err(error @ Error::Undecided { .. }), [value]) => Ok(vec![AtValue::open(value, &error)]),
-            (Err(Error::Undecided { .. }), [_, _, ..]) => {
-                let each = values.iter().map(|value| self.estimated_at(std::slice::from_ref(value), compute));
-                Ok(each.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect())
-            }
-            (items, _) => items,
-        }
-    }
-
     /// The folds on which proofs rest: of closed forms, and of formulas and of tables that are short, where they leave nothing
     /// undecided. A longer or a rougher table, and a formula with more waves than can be looked at, is better searched.
     ///
@@ -185,38 +174,4 @@ impl<'s> Certified<'s> {
         });
         folds.map(Option::as_ref)
     }
-
-    /// The results at states that were found in f64.
-    ///
-    /// # Errors
-    /// Errors of the search and of the quadratures.
-    pub(crate) fn estimated<T: Numbers<Estimate<Float>> + Clone>(
-        &self,
-        compute: impl Fn(&States<'_, Float>) -> Result<T>,
-    ) -> Result<Printed<T>> {
-        let folds = self.search()?.folds()?;
-        agree(self.digits, |precision| {
-            let model = self.model::<Float>(precision)?;
-            let folds = refined(&model, folds)?;
-            compute(&States::new(self.scene, &model, folds, self.admissibility()?))
-        })
-    }
-
-    /// How far the search found all folds.
-    ///
-    /// # Errors
-    /// Errors of the search.
-    pub(crate) fn searched(&self) -> Result<Completeness> {
-        let search = self.search()?.completeness()?;
-        let long = match self.scene.profile.rows() {
-            Some(rows) if rows > PROVED_ROWS => {
-                format!("; tables are proved up to {PROVED_ROWS} rows, this has {rows}")
-            }
-            _ => String::new(),
-        };
-        Ok(not_proved(&format!("{}; found in f64, then sharpened{long}", search.why)))
-    }
 }
-
-/// Records with their digits decided.
-pub(crate) type Printed<T> = <<T as Numbers<Estimate<Float>>>::With<Enclosure> as Numbers<Enclosure>>::With<Number>;

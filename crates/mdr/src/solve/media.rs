@@ -222,9 +222,8 @@ fn is_flat(profile: &Profile) -> bool {
     matches!(profile, Profile::Shape(shape) if shape.is_flat())
 }
 
-/// The transform of a profile on a medium. `number` gets the numbers of the profile in the order of [`Profile::numbers`]. A
-/// quadrature takes a relative error that is `accepted` where it cannot have the digits of the arithmetic; `formulas` has the
-/// transforms of formulas on a half-space that are better than a quadrature.
+/// The transform of a profile on a medium. `number` gets the numbers of the profile in the order of [`Profile::numbers`]; `formulas` has
+/// the transforms of formulas on a half-space that are better than a quadrature.
 ///
 /// # Errors
 /// A parameter out of the domain of the profile; a profile that the medium has no transform of.
@@ -233,14 +232,13 @@ pub(crate) fn transform<R: Struve + Kappa + GradedReal>(
     medium: &ExactMedium,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
-    accepted: Option<&R>,
     formulas: Formulas<'_, R>,
 ) -> Result<Box<dyn Transform<R>>> {
     let of_medium = |literal: &Literal| R::from_literal(ctx, literal);
     let (weight, reference) = match medium {
-        ExactMedium::HalfSpace => return by_formulas(profile, ctx, number, accepted, formulas),
+        ExactMedium::HalfSpace => return by_formulas(profile, ctx, number, formulas),
         ExactMedium::Periodic { wavelength, .. } => {
-            return periodic(profile, ctx, number, of_medium(wavelength), accepted);
+            return periodic(profile, ctx, number, of_medium(wavelength));
         }
         ExactMedium::Graded { exponent, .. } => (OfMedium::Graded(of_medium(exponent)), None),
         ExactMedium::Winkler { .. } => (OfMedium::Winkler, None),
@@ -258,7 +256,7 @@ pub(crate) fn transform<R: Struve + Kappa + GradedReal>(
             _ => Box::new(sum),
         });
     }
-    let whole = quadrature(profile, ctx, number, &weight, accepted, formulas)?;
+    let whole = quadrature(profile, ctx, number, &weight, formulas)?;
     Ok(match weight {
         OfMedium::Line(_) => Box::new(LineLoad::new(whole, reference)),
         _ => whole,
@@ -271,18 +269,15 @@ fn periodic<R: GradedReal>(
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
     wavelength: R,
-    accepted: Option<&R>,
 ) -> Result<Box<dyn Transform<R>>> {
     Ok(match profile {
         Profile::Wave(amplitude) => Box::new(Wave::new(number(amplitude), wavelength)?),
-        Profile::Formula(formula) => repeating(formula.bound::<R>(ctx, number)?, wavelength, accepted)?,
+        Profile::Formula(formula) => repeating(formula.bound::<R>(ctx, number)?, wavelength)?,
         Profile::Table(measured) => {
             let rows = measured.table.periodic_profile::<R>(ctx, &wavelength)?;
-            repeating(rows, wavelength, accepted)?
+            repeating(rows, wavelength)?
         }
-        Profile::Function(function) => {
-            repeating(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, wavelength, accepted)?
-        }
+        Profile::Function(function) => repeating(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, wavelength)?,
         _ => return Err(not_available("a periodic medium")),
     })
 }
@@ -291,13 +286,8 @@ fn periodic<R: GradedReal>(
 fn repeating<R: Special>(
     profile: impl mdr_core::contact::Profile<R> + 'static,
     wavelength: R,
-    accepted: Option<&R>,
 ) -> Result<Box<dyn Transform<R>>> {
-    let quadrature = Periodic::new(profile, wavelength)?;
-    Ok(Box::new(match accepted {
-        Some(error) => quadrature.accepting(error.clone()),
-        None => quadrature,
-    }))
+    Ok(Box::new(Periodic::new(profile, wavelength)?))
 }
 
 /// What decides the transform.
@@ -330,21 +320,12 @@ impl<R: GradedReal> OfMedium<R> {
         }
     }
 
-    fn of(
-        &self,
-        profile: impl mdr_core::contact::Profile<R> + 'static,
-        ctx: R::Ctx,
-        accepted: Option<&R>,
-    ) -> Box<dyn Transform<R>> {
+    fn of(&self, profile: impl mdr_core::contact::Profile<R> + 'static, ctx: R::Ctx) -> Box<dyn Transform<R>> {
         let like = R::from_int(ctx, 1);
-        let weighted = match self {
+        Box::new(match self {
             OfMedium::Graded(k) => Weighted::graded(profile, k.clone()),
             OfMedium::Winkler => Weighted::winkler(profile, like),
             OfMedium::Line(reference) => Weighted::line(profile, reference.clone(), like),
-        };
-        Box::new(match accepted {
-            Some(error) => weighted.accepting(error.clone()),
-            None => weighted,
         })
     }
 }
@@ -355,7 +336,6 @@ fn quadrature<R: GradedReal + Struve + Kappa>(
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
     weight: &OfMedium<R>,
-    accepted: Option<&R>,
     formulas: Formulas<'_, R>,
 ) -> Result<Box<dyn Transform<R>>> {
     if let Some(transform) = formulas(profile) {
@@ -365,20 +345,16 @@ fn quadrature<R: GradedReal + Struve + Kappa>(
         Profile::Shape(shape) if is_flat(profile) => closed_form(shape.map(|_, literal| number(literal)))?,
         Profile::Shape(shape) => {
             let heights = Heights::new([shape.map(|_, literal| number(literal))])?;
-            weight.of(heights, ctx, accepted)
+            weight.of(heights, ctx)
         }
         Profile::Sum(terms) => {
-            let terms = terms
-                .iter()
-                .map(|term| quadrature(term, ctx, number, weight, accepted, formulas))
-                .collect::<Result<_>>()?;
+            let terms =
+                terms.iter().map(|term| quadrature(term, ctx, number, weight, formulas)).collect::<Result<_>>()?;
             Box::new(Sum::new(terms))
         }
-        Profile::Formula(formula) => weight.of(formula.bound::<R>(ctx, number)?, ctx, accepted),
-        Profile::Table(measured) => weight.of(measured.table.profile::<R>(ctx)?, ctx, accepted),
-        Profile::Function(function) => {
-            weight.of(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, ctx, accepted)
-        }
+        Profile::Formula(formula) => weight.of(formula.bound::<R>(ctx, number)?, ctx),
+        Profile::Table(measured) => weight.of(measured.table.profile::<R>(ctx)?, ctx),
+        Profile::Function(function) => weight.of(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, ctx),
         Profile::Wave(_) => return Err(not_available("this medium")),
     })
 }

@@ -7,11 +7,10 @@
 //! |---|---|---|---|
 //! | [`power_law`] | intervals | closed forms, at any scale | proved digits |
 //! | [`proof`] | intervals | folds isolated on a range of radii | proved digits |
-//! | [`certified`] | two precisions | the folds of the search, refined | digits on which both agree |
 //! | [`search`] | f64 | a survey of the tangency ratio | doubles |
 //!
-//! A certified scene is proved where that can be, output by output, and estimated elsewhere: fields on other media than a half-space, and
-//! energies there of tables and beyond kinks. A scene in f64 is searched, and what f64 does not hold is proved or estimated in digits.
+//! A certified scene is proved where that can be, output by output, and searched elsewhere: fields on other media than a half-space, and
+//! energies there of tables and beyond kinks. A scene in f64 is searched, and what f64 does not hold is proved in digits.
 
 mod admissible;
 #[cfg(feature = "mp")]
@@ -32,8 +31,6 @@ pub(crate) mod power_law;
 #[cfg(feature = "mp")]
 pub(crate) mod proof;
 mod provider;
-#[cfg(feature = "mp")]
-pub(crate) mod refine;
 #[cfg(feature = "mp")]
 pub(crate) mod rigorous;
 mod roughness;
@@ -216,6 +213,20 @@ enum Route<'s> {
     Certified(Box<Certified<'s>>),
 }
 
+#[cfg(feature = "mp")]
+impl<'s> Route<'s> {
+    /// The search in f64 and SI units.
+    ///
+    /// # Errors
+    /// A number that no double holds; errors of the search.
+    fn search(&self) -> contact::Result<&Search<'s>> {
+        match self {
+            Route::Search(search) => Ok(search),
+            Route::Certified(certified) => certified.plain(),
+        }
+    }
+}
+
 impl<'s> Solver<'s> {
     fn new(scene: &'s Scene, counts: &'s Counts) -> contact::Result<Self> {
         let route = match scene.arithmetic {
@@ -257,12 +268,11 @@ impl<'s> Solver<'s> {
         let law = if want.kind().is_of_profile() { None } else { PowerLaw::of(self.scene)? };
         let beyond = Certified::new(self.scene, out_of_range::DIGITS, self.counts);
         let others = match &self.route {
-            Route::Certified(certified) => vec![Provider::Proof(certified), Provider::Estimate(certified)],
+            Route::Certified(certified) => vec![Provider::Proof(certified)],
             Route::Search(search) if self.scene.profile.has_function() => vec![Provider::Search(search)],
-            Route::Search(search) => {
-                vec![Provider::Search(search), Provider::Proof(&beyond), Provider::Estimate(&beyond)]
-            }
+            Route::Search(search) => vec![Provider::Search(search), Provider::Proof(&beyond)],
         };
+        let others = others.into_iter().chain([Provider::Last(&self.route)]);
         for provider in law.iter().map(Provider::Law).chain(others) {
             let found = match (provider.output(&*room), &law, provider) {
                 (found, None, _) | (found, _, Provider::Law(_)) => found?,

@@ -11,7 +11,7 @@ pub(crate) const DIGITS: u32 = 25;
 /// An output in decimals, rounded to doubles.
 pub(super) fn in_doubles(output: Output) -> Output {
     output.resolve(Promise::F64, |number| match number {
-        Number::Certified(decimal) | Number::Estimated(decimal) => nearest(&decimal),
+        Number::Certified(decimal) => nearest(&decimal),
         double => Value::Known(double),
     })
 }

@@ -4,6 +4,8 @@
 use mdr_core::contact::Error;
 use mdr_core::contact::Result;
 
+#[cfg(feature = "mp")]
+use super::Route;
 use super::search::Search;
 #[cfg(feature = "mp")]
 use super::{certified::Certified, power_law::PowerLaw};
@@ -19,11 +21,11 @@ pub(super) enum Provider<'a, 's> {
     /// Enclosures.
     #[cfg(feature = "mp")]
     Proof(&'a Certified<'s>),
-    /// Two precisions that agree.
-    #[cfg(feature = "mp")]
-    Estimate(&'a Certified<'s>),
-    /// A search in f64.
+    /// A search in f64, which leaves what f64 does not hold to the next provider.
     Search(&'a Search<'s>),
+    /// The search in f64 with all that it has.
+    #[cfg(feature = "mp")]
+    Last(&'a Route<'s>),
 }
 
 impl Provider<'_, '_> {
@@ -38,12 +40,17 @@ impl Provider<'_, '_> {
             #[cfg(feature = "mp")]
             Provider::Proof(certified) => room.proved(certified),
             #[cfg(feature = "mp")]
-            Provider::Estimate(certified) => room.estimated(certified).map(Some),
-            // What f64 does not hold is left to those with more digits.
-            #[cfg(feature = "mp")]
             Provider::Search(search) => match room.searched(search) {
                 Err(Error::OutOfRange { .. }) => Ok(None),
                 output => output.map(|output| Some(output).filter(|output| !room.lost_numbers(output))),
+            },
+            #[cfg(feature = "mp")]
+            Provider::Last(route) => match route.search().and_then(|search| room.searched(search)) {
+                Err(Error::OutOfRange { quantity, .. }) => {
+                    let what = "a number beyond the range of f64: take units in which the contact is nearer to 1";
+                    Err(Error::Undecided { quantity, bits: f64::MANTISSA_DIGITS, what })
+                }
+                output => output.map(Some),
             },
             #[cfg(not(feature = "mp"))]
             Provider::Search(search) => room.searched(search).map(Some),

@@ -25,6 +25,8 @@ pub(crate) struct Search<'s> {
     admissibility: OnceCell<Arc<Admissibility>>,
     /// Whether a fold is of use without its force, which is out of range.
     radii_suffice: bool,
+    /// What has to be said beside how folds were searched.
+    remark: Option<String>,
 }
 
 impl<'s> Search<'s> {
@@ -43,8 +45,31 @@ impl<'s> Search<'s> {
         Ok(Search::with(scene, Model::in_units_of_modulus(scene, counts)?, true))
     }
 
+    /// The same contact in SI units, with the folds that were found at its lengths.
+    ///
+    /// # Errors
+    /// A number that is out of the range of doubles; errors of the transform at a fold.
+    #[cfg(feature = "mp")]
+    pub(crate) fn in_units(&self, counts: &Counts) -> Result<Self> {
+        let search = Search::new(self.scene, counts)?;
+        let (curve, found) = (search.model.contact(), self.folds()?);
+        let state = |fold: &Fold<f64>| {
+            let (indentation, force) = curve.state(&fold.contact_radius)?;
+            Ok(Fold { indentation, force, ..fold.clone() })
+        };
+        let folds = found.folds.iter().map(state).collect::<Result<_>>()?;
+        Ok(Search { folds: OnceCell::from(Ok(Folds { folds, ..found.clone() })), ..search })
+    }
+
     fn with(scene: &'s Scene, model: Model<f64>, radii_suffice: bool) -> Self {
-        Search { scene, model, folds: OnceCell::new(), admissibility: OnceCell::new(), radii_suffice }
+        let (folds, admissibility) = (OnceCell::new(), OnceCell::new());
+        Search { scene, model, folds, admissibility, radii_suffice, remark: None }
+    }
+
+    /// With what is known of the admissible states, and something to be said beside how folds were searched.
+    #[cfg(feature = "mp")]
+    pub(crate) fn knowing(self, admissibility: Arc<Admissibility>, remark: Option<String>) -> Self {
+        Search { admissibility: OnceCell::from(admissibility), remark, ..self }
     }
 
     /// The contact at the work of adhesion of one edge; `scene` is that of the edge.
@@ -108,10 +133,11 @@ impl<'s> Search<'s> {
     /// # Errors
     /// Errors of the transform at a fold; see [`folds::find`].
     pub(crate) fn completeness(&self) -> Result<Completeness> {
-        Ok(match self.folds()?.completeness {
-            SearchQuality::Resolved => not_proved("searched over all radii in f64"),
-            SearchQuality::Doubtful => not_proved("searched in f64, and not resolved everywhere: folds may be missing"),
-        })
+        let why = match self.folds()?.completeness {
+            SearchQuality::Resolved => "searched over all radii in f64",
+            SearchQuality::Doubtful => "searched in f64, and not resolved everywhere: folds may be missing",
+        };
+        Ok(not_proved(&format!("{why}{}", self.remark.as_deref().unwrap_or_default())))
     }
 }
 

@@ -47,15 +47,14 @@ impl Costs {
         // Enclosures are twice as dear as numbers of the same bits, those with a slope three times.
         let times = match arithmetic {
             0 => return Costs { form: 150, operation: 8, is_complex: false, row: 20, clustered: true },
-            1 => 1,
-            2 => 2,
+            1 => 2,
             _ => 3,
         };
         let size = bits * bits / 8000;
         Costs {
             form: times * (1500 + 25 * bits + 10 * size),
             operation: times * (60 + bits / 5 + size),
-            is_complex: times > 1,
+            is_complex: true,
             row: times * (1000 + 3 * bits),
             clustered: bits <= 512,
         }

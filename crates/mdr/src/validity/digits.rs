@@ -1,28 +1,23 @@
-//! The validity of the short-range theory in certified digits: enclosures, else two precisions, else doubles.
+//! The validity of the short-range theory in certified digits: enclosures, else doubles.
 
-use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Error, Fold, Result, Status};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::dugdale::{CohesiveState, Dugdale, separation};
 use mdr_numeric::proof::{EnclosedCurve, EnclosedPullOff};
-use rug::Float;
 
-use super::{Found, Validity, instability};
+use super::{Found, Validity};
 use crate::answer::Value;
 use crate::answer::record::Numbers;
 use crate::run::{Counts, lack};
 use crate::scene::Scene;
 use crate::solve::certified::PROVED_ROWS;
-use crate::solve::digits::{MOST_OF_INTEGRALS, agree, decide_within, start};
+use crate::solve::digits::{MOST_OF_INTEGRALS, decide_within, start};
 use crate::solve::model::Model;
 use crate::solve::proof::decided;
-use crate::solve::refine::refined;
 use crate::solve::rigorous::Formulas;
 use crate::solve::search::Search;
 
-/// Bits of a contact radius at which f64 finds the force stationary.
-const KNOWN: i64 = 24;
 /// Bits within which a fold is that of f64.
 const SAME_FOLD: i64 = 30;
 
@@ -38,7 +33,8 @@ pub(super) fn has_proofs(scene: &Scene) -> bool {
 pub(super) fn of(scene: &Scene, range: &Literal, digits: u32, counts: &Counts) -> Result<Validity> {
     if scene.is_closed() {
         let found = Found::new(scene, range, Search::of_lengths(scene, counts)?)?;
-        return found.proved(digits, counts)?.map_or_else(|| found.agreed(digits, counts), Ok);
+        let proved = found.proved(digits, counts)?;
+        return proved.map_or_else(|| Found::new(scene, range, Search::new(scene, counts)?)?.in_doubles(), Ok);
     }
     // First the doubles, which a proof that spends the budget could cost.
     let found = Found::new(scene, range, Search::new(scene, counts)?)?;
@@ -71,21 +67,6 @@ impl Found<'_> {
             _ => !validity.row().is_open(),
         };
         Ok(validity.ok().filter(has_all))
-    }
-
-    /// Digits on which two precisions agree, near the radii that were found in f64.
-    fn agreed(&self, digits: u32, counts: &Counts) -> Result<Validity> {
-        agree(digits, |precision| {
-            let model = Model::<Float>::new(self.scene, precision, counts)?;
-            let folds = self.folds.as_ref().map_err(Clone::clone).and_then(|folds| refined(&model, folds));
-            let fold = folds.as_ref().map_err(Clone::clone).and_then(instability);
-            let record = self.record(&model, fold, |contact| match self.pull_off() {
-                Ok(Some(state)) => contact.pull_off_near(&model.double(state.contact_radius), KNOWN).map(Some),
-                Ok(None) => Ok(None),
-                Err(error) => Err(error.clone()),
-            });
-            Ok(record?.convert(Estimate::exact))
-        })
     }
 }
 

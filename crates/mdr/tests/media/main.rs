@@ -377,7 +377,8 @@ fn displacements_close_the_gap() {
         let answer = solve(&scene(medium, profile, LOAD, &want)).to_json();
         let answer: serde_json::Value = serde_json::from_str(&answer).expect("JSON");
         let states = |name: &str| answer[name][0]["states"].as_array().expect("states").clone();
-        let number = |value: &serde_json::Value| value.as_str().and_then(|text| text.parse::<f64>().ok());
+        let number =
+            |value: &serde_json::Value| value.as_f64().or_else(|| value.as_str().and_then(|text| text.parse().ok()));
         let mut seen = 0;
         for (gap, moved) in states("gap").iter().zip(&states("displacement")) {
             let numbers = [&gap["indentation"], &gap["gap"][0]["gap"], &moved["displacement"][0]["displacement"]];

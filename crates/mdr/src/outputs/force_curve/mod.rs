@@ -186,12 +186,6 @@ impl<'w> IsRoom<'w> for Room<'w> {
         curve.map_or(known, Ok).map(|curve| Some(curve.into()))
     }
 
-    /// In f64, where it is not proved.
-    #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        in_doubles(certified, self.rows()).map(Output::from)
-    }
-
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let curve = if search.scene.has_two_works() {
             edges::with_both(search, |states, _| of_both(states, self.rows()))?

@@ -39,7 +39,7 @@ pub(super) fn proved(
     let curve = Curve { certified, points, is_chosen: RefCell::default() };
     let found = if certified.scene.has_two_works() {
         path::with_pair(certified, |pair| {
-            let Some(path) = path::proved_between_edges(pair, Energies::Proved)? else { return Ok(None) };
+            let Some(path) = path::proved_between_edges(certified, pair, Energies::Proved)? else { return Ok(None) };
             let scene = pair.edges[1].scene;
             let numbers = curve.decided(|precision| {
                 path::with_path_between(pair, precision, |enclosed, branches, path| {

@@ -17,12 +17,6 @@ use crate::scene::Scene;
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::Search;
 use crate::solve::states::States;
-#[cfg(feature = "mp")]
-use crate::solve::{
-    certified::{Certified, Printed},
-    digits::agree,
-    refine::refined,
-};
 
 /// The path of a scene with two works of adhesion, between the branches of an advancing and of a receding edge.
 ///
@@ -101,26 +95,6 @@ pub(crate) fn first<R: SceneReal, T>(
         Err(error) => return Err(error),
     };
     Ok(vec![AtValue::new(value, held.into_iter().map(|held| describe(receding, held)).collect::<Result<_>>()?)])
-}
-
-/// What `compute` makes of the states of both edges, in digits on which two precisions agree.
-///
-/// # Errors
-/// Errors of the searches and of `compute`.
-#[cfg(feature = "mp")]
-pub(crate) fn agreed<T: Numbers<Estimate<rug::Float>> + Clone>(
-    [advancing, receding]: [&Certified<'_>; 2],
-    compute: impl Fn([&States<'_, rug::Float>; 2]) -> Result<T>,
-) -> Result<Printed<T>> {
-    let folds = [advancing.search()?.folds()?, receding.search()?.folds()?];
-    agree(receding.digits, |precision| {
-        let models: [Model<rug::Float>; 2] = [advancing.model(precision)?, receding.model(precision)?];
-        let states = |certified: &Certified<'_>, index: usize| {
-            let folds = refined(&models[index], folds[index])?;
-            Ok(States::new(receding.scene, &models[index], folds, certified.admissibility()?))
-        };
-        compute([&states(advancing, 0)?, &states(receding, 1)?])
-    })
 }
 
 /// The events of the path and the balance of its energy.

@@ -1,22 +1,17 @@
 //! The path between two works of adhesion over enclosures: every digit and every decision proved, and its energies on a half-space.
 
-use mdr_core::contact::{self, Control, Edge, Result};
+use mdr_core::contact::{Control, Edge, Result};
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Precision, Real};
-use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::equilibrium::SearchedBranches;
-use mdr_numeric::folds::{Folds, SearchQuality};
+use mdr_core::number::{Interval, Precision};
 use mdr_numeric::path::Path;
 use mdr_numeric::proof::ProvedBranches;
-use rug::Float;
 
 use super::proof::{checked, set_exact, started};
 use super::{LoadingPath, PathNumbers, edges, edges_energies, events};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise};
 use crate::solve::certified::Certified;
-use crate::solve::digits::{MOST_OF_INTEGRALS, agree, decide_from, decide_within, guarded, raised, start};
-use crate::solve::model::Model;
+use crate::solve::digits::{MOST_OF_INTEGRALS, decide_from, decide_within, guarded, raised, start};
 use crate::solve::proof::{Enclosed, FoldProof, decided, reached};
 
 /// The contact at the works of adhesion of an advancing and of a receding edge, each with all its folds.
@@ -56,7 +51,6 @@ pub(super) struct Followed {
     path: Path<Interval>,
     /// The path with contact radii for sizes.
     shown: Path<Interval>,
-    folds: [Vec<contact::Fold<Interval>>; 2],
     control: Control<Interval>,
     bits: u32,
 }
@@ -68,14 +62,11 @@ impl Followed {
     /// No stable equilibrium at the first way point; errors of the transform, see [`Path::follow_edges`]; [`Error::Unproved`] if
     /// more bits do not help.
     fn new(pair: &Pair<'_, '_>, precision: Precision) -> Result<Self> {
-        with_path(pair, precision, |enclosed, branches, path| {
-            let finite = |branches: &ProvedBranches| {
-                branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect()
-            };
+        with_path(pair, precision, |enclosed, _, path| {
             let model = &enclosed[1].value;
             let shown = events::shown(&path, model.contact().medium());
             let control = model.control().clone();
-            Ok(Followed { path, shown, folds: branches.map(finite), control, bits: precision.bits() })
+            Ok(Followed { path, shown, control, bits: precision.bits() })
         })
     }
 
@@ -98,32 +89,6 @@ impl Followed {
             let path = self.path.map(|number| number.rounded(precision));
             certified.with_energy(&contact, |energy| edges_energies::of_path(&path, &scene.path, &contact, energy))
         }))
-    }
-
-    /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is
-    /// searched again.
-    ///
-    /// # Errors
-    /// Errors of the transform; an energy that is not representable. See [`edges::with_energy`].
-    pub(super) fn with_energy(mut self, pair: &Pair<'_, '_>) -> Result<PathNumbers<Number>> {
-        let receding = pair.edges[1];
-        agree(receding.digits, |precision| {
-            if self.bits < guarded(precision).bits() {
-                self = Followed::new(pair, guarded(precision))?;
-            }
-            let model: Model<Float> = receding.model(precision)?;
-            let rounded = |number: &Interval| Float::with_val(precision.bits(), number.mid());
-            let branches = |edge: Edge, folds: &[contact::Fold<Interval>]| {
-                let folds = folds.iter().map(|fold| fold.map(rounded)).collect();
-                let (poles, out_of_range) = (Vec::new(), Vec::new());
-                let folds = Folds { folds, poles, out_of_range, completeness: SearchQuality::Resolved };
-                let branches = SearchedBranches::cut_at(model.at(edge).contact(), folds);
-                Ok(branches.with_admissibility(receding.admissibility()?))
-            };
-            let advancing = branches(Edge::Advancing, &self.folds[0])?;
-            let receding = branches(Edge::Receding, &self.folds[1])?;
-            edges::with_energy(&self.path.map(rounded), &pair.edges[1].scene.path, [&advancing, &receding])
-        })
     }
 }
 

@@ -282,7 +282,7 @@ pub(super) fn work<R: SceneReal>(dissipated: &Value<Estimate<R>>, stored: &Value
     beyond_noise(sum, &noise)
 }
 
-/// An energy, unless it is nothing but its error: a zero that is not exact is none, however many precisions agree on it.
+/// An energy, unless it is nothing but its error: a zero that is not exact is none.
 pub(crate) fn beyond_noise<R: SceneReal>(energy: &Estimate<R>, noise: &R) -> Value<Estimate<R>> {
     if energy.value.abs() > *noise || *noise == noise.lit(0) {
         return Value::Known(energy.clone());

@@ -17,7 +17,6 @@ mod start;
 
 use mdr_core::calculus::Estimate;
 #[cfg(feature = "mp")]
-use mdr_core::contact::Error;
 #[cfg(feature = "mp")]
 use mdr_core::contact::Status;
 use mdr_core::contact::{Control, Edge, Result};
@@ -31,7 +30,6 @@ use crate::answer::record::{Numbers, Part, Row, record};
 use crate::answer::{Admission, Cell, Column, Completeness, List, Number, NumberStyle, Optional, Promise, Value};
 #[cfg(feature = "mp")]
 use crate::scene::{Arithmetic, Scene};
-use crate::solve::model::SceneReal;
 use crate::solve::search::{Search, doubles};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
@@ -194,7 +192,7 @@ impl LoadingPath {
         LoadingPath { events: List::new(promise, events).complete(complete), balance, energy: None }
     }
 
-    /// The path with these of its energies, which are those of `followed`: by enclosures, else at two precisions.
+    /// The path with these of its energies, which are those of `followed`: by enclosures, else in f64.
     ///
     /// # Errors
     /// Errors of `enclosed`.
@@ -204,7 +202,7 @@ impl LoadingPath {
         energies: Energies,
         mut followed: F,
         enclosed: impl FnOnce(&mut F) -> Result<Option<PathNumbers<Number>>>,
-        estimated: impl FnOnce(F) -> Result<PathNumbers<Number>>,
+        in_doubles: impl FnOnce() -> Result<PathNumbers<Number>>,
     ) -> Result<Self> {
         if energies == Energies::None {
             return Ok(self);
@@ -212,7 +210,7 @@ impl LoadingPath {
         Ok(match enclosed(&mut followed)? {
             Some(proved) => self.with_proved_energy_of(proved),
             None if energies == Energies::Proved => self,
-            None => self.with_estimated_energy_of(estimated(followed)),
+            None => self.with_energy_in_doubles(in_doubles()),
         })
     }
 
@@ -222,11 +220,13 @@ impl LoadingPath {
         LoadingPath { energy: None, ..self.with_energy_of(Promise::Certified, other) }
     }
 
-    /// Takes the energies from another computation of the same path, at two precisions, or the reason why there are none.
+    /// Takes the energies from the path that f64 finds, if it has the same events, or the reason why there are none.
     #[cfg(feature = "mp")]
-    fn with_estimated_energy_of(self, other: Result<PathNumbers<Number>>) -> Self {
+    fn with_energy_in_doubles(self, other: Result<PathNumbers<Number>>) -> Self {
+        let kinds = |events: &[PathEvent]| events.iter().map(|event| event.event).collect::<Vec<_>>();
         match other {
-            Ok(other) => self.with_energy_of(Promise::Estimated, other),
+            Ok(other) if kinds(&other.events) == kinds(&self.events.items) => self.with_energy_of(Promise::F64, other),
+            Ok(_) => self.without_energy("energies are not enclosed, and f64 finds other events"),
             Err(error) => self.without_energy(&error.to_string()),
         }
     }
@@ -313,57 +313,18 @@ impl<'w> IsRoom<'w> for Room {
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
         let energies = if has_energies(certified) { Energies::All } else { Energies::None };
         let path = if certified.scene.has_two_works() {
-            with_pair(certified, |pair| proved_between_edges(pair, energies))?
+            with_pair(certified, |pair| proved_between_edges(certified, pair, energies))?
         } else {
             start::refuse_at_once(certified)?;
-            certified.fold_proof()?.map_or(Ok(None), |folds| proved(certified, folds, energies))?
+            let folds = certified.fold_proof()?;
+            folds.map_or(Ok(None), |folds| proved(certified, folds, energies))?
         };
         Ok(path.map(Output::from))
     }
 
-    #[cfg(feature = "mp")]
-    fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
-        if certified.scene.has_two_works() {
-            return estimated_between_edges(certified);
-        }
-        let mut searched = certified.searched()?;
-        let folds = certified.fold_proof()?;
-        if let Some(Completeness { proved: true, from, to, .. }) = folds.map(|folds| &folds.complete) {
-            let [from, to] = [from, to].map(|end| end.as_deref().unwrap_or("infinity").to_owned());
-            searched.why += &format!("; not every state of the path is proved within radii from {from} to {to} m");
-        }
-        let path = |numbers| LoadingPath::new(Promise::Estimated, numbers, searched.clone());
-        if !has_energies(certified) {
-            return Ok(path(certified.estimated(alone)?).into());
-        }
-        let Some(why) = start::too_much_energy(certified)? else {
-            return Ok(path(certified.estimated(numbers)?).into());
-        };
-        // The events first: the energies may take all of the budget.
-        let events = path(certified.estimated(alone)?);
-        if certified.scene.energies.is_none() {
-            return Ok(events.without_energy(&why).into());
-        }
-        Ok(match certified.estimated(numbers) {
-            Err(error @ (Error::BudgetSpent { .. } | Error::NoConvergence { .. } | Error::Undecided { .. })) => {
-                events.without_energy(&error.to_string()).into()
-            }
-            numbers => path(numbers?).into(),
-        })
-    }
-
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
-        if search.scene.has_two_works() {
-            return edges::with_both(search, |states, searches| {
-                let path = doubles(edges::numbers(states)?);
-                let [advancing, receding] = [searches[0].completeness()?, searches[1].completeness()?];
-                let complete =
-                    if searches[0].folds()?.completeness == SearchQuality::Doubtful { advancing } else { receding };
-                Ok(LoadingPath::new(Promise::F64, path, complete).into())
-            });
-        }
-        let path = doubles(numbers(&search.states()?)?);
-        Ok(LoadingPath::new(Promise::F64, path, search.completeness()?).into())
+        let (path, complete) = searched_path(search)?;
+        Ok(LoadingPath::new(Promise::F64, path, complete).into())
     }
 
     #[cfg(feature = "mp")]
@@ -384,24 +345,32 @@ impl From<LoadingPath> for Output {
     }
 }
 
-/// The events of the path and the balance of its energy.
+/// The path in f64, of one edge or between two, and how far its folds are known.
+///
+/// # Errors
+/// Errors of [`numbers`] and of [`edges::numbers`].
+fn searched_path(search: &Search<'_>) -> Result<(PathNumbers<Number>, Completeness)> {
+    if !search.scene.has_two_works() {
+        return Ok((doubles(numbers(&search.states()?)?), search.completeness()?));
+    }
+    edges::with_both(search, |states, searches| {
+        let [advancing, receding] = [searches[0].completeness()?, searches[1].completeness()?];
+        let is_doubtful = searches[0].folds()?.completeness == SearchQuality::Doubtful;
+        Ok((doubles(edges::numbers(states)?), if is_doubtful { advancing } else { receding }))
+    })
+}
+
+/// The events of the path and the balance of its energy, unless the scene does not want it.
 ///
 /// # Errors
 /// No stable equilibrium at the first way point; errors of the transform; an energy that is not representable. See
 /// [`follow`] and [`events::with_energy`].
-fn numbers<R: SceneReal>(states: &States<'_, R>) -> Result<PathNumbers<Estimate<R>>> {
+fn numbers(states: &States<'_, f64>) -> Result<PathNumbers<Estimate<f64>>> {
     let path = follow(states.model, &states.branches, states.scene)?;
+    if states.scene.energies == Some(false) {
+        return Ok(PathNumbers { events: events::alone(&path, &states.branches), balance: None });
+    }
     events::with_energy(&path, &states.scene.path, &states.branches)
-}
-
-/// The events of the path, without energies.
-///
-/// # Errors
-/// No stable equilibrium at the first way point; errors of the transform. See [`follow`].
-#[cfg(feature = "mp")]
-fn alone<R: SceneReal>(states: &States<'_, R>) -> Result<PathNumbers<Estimate<R>>> {
-    let path = follow(states.model, &states.branches, states.scene)?;
-    Ok(PathNumbers { events: events::alone(&path, &states.branches), balance: None })
 }
 
 /// The digits up to which the energies of a path are computed unless the scene says otherwise.
@@ -447,7 +416,7 @@ pub(crate) enum Energies {
     None,
     /// Those that enclosures decide.
     Proved,
-    /// Else at two precisions.
+    /// Else in f64.
     All,
 }
 
@@ -459,7 +428,7 @@ pub(crate) enum Energies {
 pub(crate) fn proved(certified: &Certified<'_>, folds: &FoldProof, energies: Energies) -> Result<Option<LoadingPath>> {
     let Some((path, followed)) = proof::path(certified, folds)? else { return Ok(None) };
     let enclosed = |followed: &mut proof::Followed| followed.proved_energy(certified, folds);
-    path.with_energies(energies, followed, enclosed, |followed| followed.with_energy(certified, folds)).map(Some)
+    path.with_energies(energies, followed, enclosed, || Ok(searched_path(certified.plain()?)?.0)).map(Some)
 }
 
 /// The path of a search in f64, of one edge or between two.
@@ -505,18 +474,14 @@ pub(crate) fn with_pair<T>(
 /// # Errors
 /// No stable equilibrium at the first way point; errors of the transform.
 #[cfg(feature = "mp")]
-pub(crate) fn proved_between_edges(pair: &Pair<'_, '_>, energies: Energies) -> Result<Option<LoadingPath>> {
+pub(crate) fn proved_between_edges(
+    whole: &Certified<'_>,
+    pair: &Pair<'_, '_>,
+    energies: Energies,
+) -> Result<Option<LoadingPath>> {
     let Some((path, followed)) = edges_proof::path(pair)? else { return Ok(None) };
     let enclosed = |followed: &mut edges_proof::Followed| followed.proved_energy(pair);
-    path.with_energies(energies, followed, enclosed, |followed| followed.with_energy(pair)).map(Some)
-}
-
-#[cfg(feature = "mp")]
-fn estimated_between_edges(certified: &Certified<'_>) -> Result<Output> {
-    with_edges(certified, |edges| {
-        let path = edges::agreed(edges, edges::numbers)?;
-        Ok(LoadingPath::new(Promise::Estimated, path, edges[1].searched()?).into())
-    })
+    path.with_energies(energies, followed, enclosed, || Ok(searched_path(whole.plain()?)?.0)).map(Some)
 }
 
 /// The one event of a path that could not be followed.

@@ -1,22 +1,18 @@
 //! The path over enclosures: every digit and every decision proved, except for its energies.
 
-use mdr_core::contact::{self, Control, Error, Result};
+use mdr_core::contact::{Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Literal, Precision, Real};
+use mdr_core::number::{Interval, Literal, Precision};
 use mdr_numeric::branch::EquilibriumBranches;
-use mdr_numeric::equilibrium::SearchedBranches;
-use mdr_numeric::folds::{Folds, SearchQuality};
 use mdr_numeric::path::{Event, EventKind, Path};
 use mdr_numeric::proof::ProvedBranches;
-use rug::Float;
 
 use super::{LoadingPath, PathEvent, PathNumbers, energies, events, follow, is_arrival};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise, Value};
 use crate::scene::Scene;
 use crate::solve::certified::Certified;
-use crate::solve::digits::{MOST_OF_INTEGRALS, agree, decide_from, decide_within, guarded, raised, start};
-use crate::solve::model::Model;
+use crate::solve::digits::{MOST_OF_INTEGRALS, decide_from, decide_within, guarded, raised, start};
 use crate::solve::proof::{Enclosed, FoldProof, decided, exactly, reached};
 
 /// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
@@ -27,7 +23,6 @@ pub(super) struct Followed {
     path: Path<Interval>,
     /// The path with contact radii for sizes.
     shown: Path<Interval>,
-    folds: Vec<contact::Fold<Interval>>,
     control: Control<Interval>,
     bits: u32,
 }
@@ -39,32 +34,10 @@ impl Followed {
     /// No stable equilibrium at the first way point; errors of the transform, see [`Path::follow`]; [`Error::Unproved`] if more
     /// bits do not help.
     fn new(certified: &Certified<'_>, folds: &FoldProof, precision: Precision) -> Result<Self> {
-        with_path(certified, folds, precision, |enclosed, branches, path| {
-            let folds = branches.folds().iter().filter(|fold| fold.indentation.is_finite()).cloned().collect();
+        with_path(certified, folds, precision, |enclosed, _, path| {
             let shown = events::shown(&path, enclosed.value.contact().medium());
             let control = enclosed.value.control().clone();
-            Ok(Followed { path, shown, folds, control, bits: precision.bits() })
-        })
-    }
-
-    /// Its events and its balance with their energies, at two precisions. The states are those that are proved: nothing is
-    /// searched again.
-    ///
-    /// # Errors
-    /// Errors of the transform; an energy that is not representable. See [`events::with_energy`].
-    pub(super) fn with_energy(mut self, certified: &Certified<'_>, folds: &FoldProof) -> Result<PathNumbers<Number>> {
-        agree(certified.digits, |precision| {
-            if self.bits < guarded(precision).bits() {
-                self = Followed::new(certified, folds, guarded(precision))?;
-            }
-            let model: Model<Float> = certified.model(precision)?;
-            let rounded = |number: &Interval| Float::with_val(precision.bits(), number.mid());
-            let folds = self.folds.iter().map(|fold| fold.map(rounded)).collect();
-            let (poles, out_of_range) = (Vec::new(), Vec::new());
-            let folds = Folds { folds, poles, out_of_range, completeness: SearchQuality::Resolved };
-            let branches =
-                SearchedBranches::cut_at(model.contact(), folds).with_admissibility(certified.admissibility()?);
-            events::with_energy(&self.path.map(rounded), &certified.scene.path, &branches)
+            Ok(Followed { path, shown, control, bits: precision.bits() })
         })
     }
 }
