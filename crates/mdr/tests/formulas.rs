@@ -251,3 +251,12 @@ fn folds_of_an_endless_wave_are_proved_in_a_range() {
     // The next crest is above the indentation: f(2π) = 0 < d.
     assert_eq!((&fold["kind"], &fold["admissible"]), (&"maximum".into(), &false.into()), "{answer}");
 }
+
+/// g of ln(1 + r²) rises, though ever slower: the form tells what enclosures over all radii do not.
+#[test]
+fn a_logarithm_rises_by_its_form() {
+    let rest = "output = { want = [\"equilibria\"], equilibria.at = [\"0.1\"], arithmetic = \"f64\" }";
+    let answer = solved(&formula("ln(1 + r^2)", rest));
+    let states = answer["equilibria"][0]["equilibria"].as_array().unwrap();
+    assert!(states.len() == 2 && states.iter().all(|state| state["admissible"] == true), "{answer}");
+}
