@@ -252,6 +252,61 @@ fn folds_of_an_endless_wave_are_proved_in_a_range() {
     assert_eq!((&fold["kind"], &fold["admissible"]), (&"maximum".into(), &false.into()), "{answer}");
 }
 
+/// Terms that cancel at the tip hide there in doubles, and in any precision at a radius small enough, that the profile tends to 0.
+#[test]
+fn formulas_that_cancel_at_the_tip_are_read() {
+    let read = |text: &str| Formula::new(text, std::collections::BTreeMap::new()).map_err(|error| error.to_string());
+    for text in [
+        "(exp(r^2)-1-r^2)/r^2",
+        "(exp(r^2)-1-r^2-r^4/2)/r^3",
+        "(1-cos(r))/r",
+        "1-sin(r)/r",
+        "r-tanh(r)",
+        "sin(r)/cos(r)-r",
+        "ln(cosh(r))",
+        "(cosh(r)-1)/r",
+        "r^2/(1+sqrt(1-r^2))",
+        "sqrt(1+r^2)-1",
+        "exp(r)-1-r",
+        "(1-cos(r)*exp(r^2))/r",
+        "r*ln(1+1/r)",
+    ] {
+        assert!(read(text).is_ok(), "{text}: {:?}", read(text));
+    }
+    for text in ["1+r^2", "cos(r)", "(1+r^2)/(1+r)", "sin(r)/r", "1/r", "ln(r)", "1e-40*sin(r)/r + r"] {
+        let error = read(text).expect_err(text);
+        assert!(error.contains("not zero at the tip") || error.contains("not seen to tend to 0"), "{error}");
+    }
+}
+
+/// In doubles such terms are lost next to the tip: enclosures have the number, or there is none.
+#[test]
+fn numbers_that_cancel_in_doubles_are_no_numbers() {
+    let near: [(&str, [f64; 2]); 4] = [
+        // C x^n times √π Γ(n/2 + 1)/Γ((n + 1)/2), and the slope: g of the leading term.
+        ("exp(r)-1-r", [1.0, 2.0]),
+        ("(exp(r^2)-1-r^2)/r^2", [1.0, 2.0]),
+        ("1-sin(r)/r", [1.0 / 3.0, 2.0]),
+        ("r-tanh(r)", [std::f64::consts::PI / 4.0, 3.0]),
+    ];
+    let mut proved = 0;
+    for (text, [factor, n]) in near {
+        let rest =
+            "output = { want = [\"transform\"], transform.at = [\"1e-5\", \"1e-8\", \"1e-12\"], arithmetic = \"f64\" }";
+        let answer = solved(&formula(text, rest));
+        for sample in answer["transform"].as_array().unwrap() {
+            let x: f64 = sample["x"].as_str().unwrap().parse().unwrap();
+            let Some(g) = sample["g"].as_f64() else {
+                assert_eq!(sample["status"], "undecided", "{text}: {sample}");
+                continue;
+            };
+            assert!((g / (factor * x.powf(n)) - 1.0).abs() < 1e-4, "{text}: {sample}");
+            proved += 1;
+        }
+    }
+    assert!(proved >= 6, "{proved}");
+}
+
 /// g of ln(1 + r²) rises, though ever slower: the form tells what enclosures over all radii do not.
 #[test]
 fn a_logarithm_rises_by_its_form() {

@@ -132,6 +132,8 @@ impl Profile {
                     expression,
                     parameters,
                     breaks,
+                    // Only its enclosures are used.
+                    lost: [0.0; 4],
                 }))
             }
             _ => None,
@@ -272,6 +274,12 @@ pub(crate) fn by_formulas<R: Struve + Kappa>(
                 return transform;
             }
             let quadrature = Quadrature::new(formula.bound(ctx, number)?);
+            #[cfg(feature = "mp")]
+            let quadrature = if R::from_int(ctx, 1).precision() <= f64::MANTISSA_DIGITS {
+                quadrature.lost_below(formula.lost.map(|radius| R::from_f64(ctx, radius)))
+            } else {
+                quadrature
+            };
             Box::new(match accepted {
                 Some(error) => quadrature.accepting(error.clone())?,
                 None => quadrature,
