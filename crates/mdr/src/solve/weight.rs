@@ -34,6 +34,8 @@ struct Costs {
     form: u64,
     /// An operation of a formula; a function is twenty.
     operation: u64,
+    /// A wave on a paraboloid, which has Bessel functions beside a square.
+    wavy: u64,
     /// Whether integrals over it are bounded on complex sets.
     is_complex: bool,
     /// The share of one row in an integral over a table.
@@ -46,15 +48,19 @@ impl Costs {
     fn of(arithmetic: usize, bits: u64) -> Self {
         // Enclosures are twice as dear as numbers of the same bits, those with a slope three times.
         let times = match arithmetic {
-            0 => return Costs { form: 150, operation: 8, is_complex: false, row: 20, clustered: true },
+            0 => return Costs { form: 150, operation: 8, wavy: 650, is_complex: false, row: 20, clustered: true },
             1 => 1,
             2 => 2,
             _ => 3,
         };
         let size = bits * bits / 8000;
+        let form = times * (1500 + 25 * bits + 10 * size);
+        // Heights of estimates are taken with their slopes, in a quadrature.
+        let quadrature = if arithmetic == 1 { 5 } else { 2 };
         Costs {
-            form: times * (1500 + 25 * bits + 10 * size),
-            operation: times * (60 + bits / 5 + size),
+            form,
+            wavy: 3 * form / 2,
+            operation: times * quadrature * (60 + bits / 5 + size) / 2,
             is_complex: times > 1,
             row: times * (1000 + 3 * bits),
             clustered: bits <= 512,
@@ -63,7 +69,7 @@ impl Costs {
 
     fn of_profile(&self, profile: &Profile) -> u64 {
         match profile {
-            Profile::Shape(Shape::WavyParaboloid { .. }) => 3 * self.form,
+            Profile::Shape(Shape::WavyParaboloid { .. }) => self.wavy,
             Profile::Shape(_) | Profile::Wave(_) => self.form,
             Profile::Sum(terms) => terms.iter().map(|term| self.of_profile(term)).sum(),
             Profile::Formula(formula) => {
