@@ -315,3 +315,38 @@ fn a_logarithm_rises_by_its_form() {
     let states = answer["equilibria"][0]["equilibria"].as_array().unwrap();
     assert!(states.len() == 2 && states.iter().all(|state| state["admissible"] == true), "{answer}");
 }
+
+fn solved_within(text: &str, seconds: f64) -> Value {
+    let answer = scene(text).solve_with(&mut Run::new(&mut (), Stop::default()).within(seconds));
+    serde_json::from_str(&answer.unwrap().to_json()).unwrap()
+}
+
+/// Folds that a search has found are there when the budget does not suffice to sharpen them.
+#[test]
+fn folds_that_are_not_sharpened_are_doubles() {
+    let wave = formula("r^2/2 + 0.01*(1 - cos(20*r))", "output = { want = [\"folds\"], digits = 300 }");
+    let answer = solved_within(&wave, 0.7);
+    assert_eq!(answer["promise"]["folds"], "f64", "{answer}");
+    assert_eq!(answer["complete"]["folds"]["undecided"], true, "{answer}");
+    let why = answer["complete"]["folds"]["why"].as_str().unwrap();
+    assert!(why.contains("not sharpened") && why.contains("budget"), "{why}");
+    // The fold of F at this modulus, to the digits of a double.
+    let force = answer["folds"][0]["force"].as_f64().unwrap();
+    assert!((force / -0.000_052_831_514_190_849_78 - 1.0).abs() < 1e-9, "{answer}");
+}
+
+/// Folds that are proved stand when the budget is spent before all radii were looked at.
+#[test]
+fn folds_that_are_proved_outlast_the_budget() {
+    let text = "material = { e_star = \"1e6\", work_of_adhesion = \"0.05\" }
+        profile = { kind = \"wavy-paraboloid\", radius = 1, amplitude = \"1e-8\", wavelength = \"1e-4\" }
+        output = { want = [\"folds\"] }";
+    let [all, part] = [10.0, 0.15].map(|seconds| solved_within(text, seconds));
+    let [all_folds, folds] = [&all, &part].map(|answer| answer["folds"].as_array().unwrap());
+    assert!(all["complete"]["folds"]["proved"] == true && part["complete"]["folds"]["undecided"] == true);
+    assert!(!folds.is_empty() && folds.len() < all_folds.len(), "{} of {}", folds.len(), all_folds.len());
+    for (one, other) in folds.iter().zip(all_folds) {
+        assert_eq!(one["contact_radius"], other["contact_radius"]);
+    }
+    assert!(part["complete"]["folds"]["why"].as_str().unwrap().contains("the budget was spent before"), "{part}");
+}

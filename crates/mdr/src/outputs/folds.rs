@@ -20,7 +20,7 @@ use crate::answer::record::Numbers;
 use crate::answer::record::record;
 use crate::answer::{Admission, List, Value};
 #[cfg(feature = "mp")]
-use crate::answer::{Number, Promise};
+use crate::answer::{Completeness, Number, Promise};
 use crate::scene::{Arithmetic, Scene};
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
@@ -28,7 +28,7 @@ use crate::solve::verdict;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
-    digits::{agree, decide},
+    digits::{agree, decide, decide_within, start},
     power_law::{self, PowerLaw},
     proof::{self, Enclosed, FoldProof},
     refine::refined,
@@ -128,11 +128,16 @@ impl<'w> IsRoom<'w> for Room<'w> {
     fn estimated(&self, certified: &Certified<'_>) -> Result<Output> {
         let items = agree(certified.digits, |precision| {
             let model = certified.model::<rug::Float>(precision)?;
+            let folds = refined(&model, certified.search()?.folds()?)?.folds;
+            // After the folds, which are there without it.
             let admissibility = certified.admissibility()?;
-            let folds = refined(&model, certified.search()?.folds()?)?.folds.into_iter();
-            Ok(folds.map(|fold| judged(&model, fold, &admissibility)).collect::<Vec<_>>().convert(Estimate::exact))
-        })?;
-        Ok(Output::Folds(List::new(Promise::Estimated, items).complete(certified.searched()?)))
+            let folds = folds.into_iter().map(|fold| judged(&model, fold, &admissibility));
+            Ok(folds.collect::<Vec<_>>().convert(Estimate::exact))
+        });
+        match items {
+            Err(error @ contact::Error::BudgetSpent { .. }) => unsharpened(certified, &error).map(Output::Folds),
+            items => Ok(Output::Folds(List::new(Promise::Estimated, items?).complete(certified.searched()?))),
+        }
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
@@ -154,6 +159,22 @@ impl<'w> IsRoom<'w> for Room<'w> {
     }
 }
 
+/// The folds as a search in f64 has found them, where the budget does not suffice for more digits.
+///
+/// # Errors
+/// Errors of the search.
+#[cfg(feature = "mp")]
+fn unsharpened(certified: &Certified<'_>, error: &contact::Error) -> Result<List<Fold>> {
+    let search = certified.search()?;
+    let (admissibility, found) = (certified.admissibility()?, search.completeness()?);
+    // The search has forces in units of the modulus.
+    let scale = certified.scene.scale_of_forces().nearest_f64();
+    let scaled = |fold: &contact::Fold<f64>| contact::Fold { force: scale * fold.force, ..fold.clone() };
+    let folds = search.folds()?.iter().map(|fold| judged(&search.model, scaled(fold), &admissibility)).collect();
+    let why = format!("{}; these are doubles, not sharpened: {error}", found.why);
+    Ok(search::list(folds).complete(Completeness { undecided: true, why, ..found }))
+}
+
 /// A fold, and whether it is admissible.
 fn judged<R: SceneReal>(model: &Model<R>, fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
     let verdict = verdict(admissibility, &fold.contact_radius, &fold.indentation);
@@ -170,15 +191,28 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
     let mut curves = Curves { certified, known: Vec::new() };
     // One fold after the other: of thousands a few need more bits than the others.
     let decided = folds.proved.folds.iter().map(|fold| {
-        decide(certified.digits, |precision| {
-            let Known { curve, enclosed, .. } = curves.at(precision)?;
-            let admissibility = certified.admissibility()?;
-            let mut record = judged(&enclosed.value, curve.refine(fold)?, &admissibility).convert(Enclosure::from);
+        let admissibility = certified.admissibility()?;
+        let record = |model: &Model<_>, refined| {
+            let mut record = judged(model, refined, &admissibility).convert(Enclosure::from);
             if certified.scene.breaks_at_zero_depth(&fold.contact_radius) {
                 record.indentation = proof::exactly(&0.into());
             }
-            Ok(vec![record])
-        })
+            vec![record]
+        };
+        let refined = decide(certified.digits, |precision| {
+            let Known { curve, enclosed, .. } = curves.at(precision)?;
+            Ok(record(&enclosed.value, curve.refine(fold)?))
+        });
+        match refined {
+            // As many digits as were known before.
+            Err(contact::Error::BudgetSpent { .. }) => {
+                let first = start(certified.digits);
+                decide_within(1, first, certified.digits, |_| {
+                    Ok(record(&curves.at(first)?.enclosed.value, fold.clone()))
+                })
+            }
+            refined => refined,
+        }
     });
     let items = decided.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect();
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
