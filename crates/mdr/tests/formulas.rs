@@ -350,3 +350,13 @@ fn folds_that_are_proved_outlast_the_budget() {
     }
     assert!(part["complete"]["folds"]["why"].as_str().unwrap().contains("the budget was spent before"), "{part}");
 }
+
+/// A state whose energy is not enclosed takes that of the others with it no longer.
+#[test]
+fn the_energy_of_one_state_is_open_alone() {
+    let rest = "output = { want = [\"energy\"], equilibria.at = [\"0.1\"], digits = 5 }";
+    let answer = solved_within(&formula("ln(1 + r^2)", rest), 5.5);
+    let [one, other] = answer["energy"][0]["states"].as_array().unwrap().as_slice() else { panic!("{answer}") };
+    assert_eq!((&one["energy"], &one["status"]), (&"0.0011836".into(), &"ok".into()), "{answer}");
+    assert_eq!((&other["energy"], &other["status"]), (&Value::Null, &"undecided".into()), "{answer}");
+}

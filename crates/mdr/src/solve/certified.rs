@@ -1,6 +1,6 @@
 //! A scene in certified digits: enclosures where g is a closed form, two precisions elsewhere.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
@@ -22,7 +22,7 @@ use super::search::{Search, not_proved};
 use super::states::States;
 use super::{Once, once};
 use crate::answer::record::Numbers;
-use crate::answer::{AtValue, Completeness, Number};
+use crate::answer::{AtValue, Completeness, Number, Output};
 use crate::run::Counts;
 use crate::scene::Scene;
 
@@ -39,6 +39,8 @@ pub(crate) struct Certified<'s> {
     folds: Once<Option<FoldProof>>,
     admissibility: Once<Arc<Admissibility>>,
     formulas: Once<Option<Formulas>>,
+    /// An output of which a part is proved, for where nothing else has more of it.
+    kept: RefCell<Option<Output>>,
 }
 
 /// The states at values, in the arithmetic of an estimate.
@@ -47,7 +49,18 @@ type Estimated<T> = Vec<AtValue<T>>;
 impl<'s> Certified<'s> {
     pub(crate) fn new(scene: &'s Scene, digits: u32, counts: &'s Counts) -> Self {
         let (search, folds, admissibility) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        Certified { scene, digits, counts, search, folds, admissibility, formulas: OnceCell::new() }
+        let (formulas, kept) = (OnceCell::new(), RefCell::new(None));
+        Certified { scene, digits, counts, search, folds, admissibility, formulas, kept }
+    }
+
+    /// Keeps an output of which only a part is proved.
+    pub(crate) fn keep(&self, output: Option<Output>) {
+        self.kept.replace(output);
+    }
+
+    /// What was kept of the output.
+    pub(crate) fn take_kept(&self) -> Option<Output> {
+        self.kept.take()
     }
 
     /// The profile as formulas; `None` if it is none, or their kinks are not known.

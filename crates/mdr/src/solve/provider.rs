@@ -38,7 +38,12 @@ impl Provider<'_, '_> {
             #[cfg(feature = "mp")]
             Provider::Proof(certified) => room.proved(certified),
             #[cfg(feature = "mp")]
-            Provider::Estimate(certified) => room.estimated(certified).map(Some),
+            Provider::Estimate(certified) => match (certified.take_kept(), room.estimated(certified)) {
+                // A part that is proved is more than a whole that is open.
+                (Some(kept), Err(error)) if super::is_open(&error) => Ok(Some(kept)),
+                (Some(kept), Ok(output)) if room.has_open_numbers(&output) => Ok(Some(kept)),
+                (_, output) => output.map(Some),
+            },
             // What f64 does not hold is left to those with more digits.
             #[cfg(feature = "mp")]
             Provider::Search(search) => match room.searched(search) {
