@@ -3,7 +3,7 @@
 use mdr_core::calculus::isolate::{Behaviour, Isolation, isolate};
 use mdr_core::calculus::roots::{bisect, bracket_geometric, refine};
 use mdr_core::calculus::roundoff_tolerance;
-use mdr_core::contact::Result;
+use mdr_core::contact::{Error, Result};
 use proptest::prelude::*;
 
 /// Π (x − r)/(x + r): every factor has its exact sign.
@@ -63,6 +63,22 @@ fn an_exhausted_budget_is_reported() {
     let roots: Vec<f64> = (1..=1000).map(|k| f64::from(k) / 100.0).collect();
     let found = isolate(&1e-3, &1e3, 100, |&x| product(&roots, x), known(&roots)).unwrap();
     assert!(!found.undecided.is_empty() && found.evaluations < 120);
+}
+
+/// Where counted work is spent, the zeros below are there, and all above is undecided.
+#[test]
+fn spent_work_leaves_what_was_found() {
+    let roots: Vec<f64> = (1..=1000).map(|k| f64::from(k) / 100.0).collect();
+    let mut left = 3000;
+    let test = |lower: &f64, upper: &f64| {
+        left -= 1;
+        if left < 0 { Err(Error::BudgetSpent { evaluations: 3000 }) } else { known(&roots)(lower, upper) }
+    };
+    let found = isolate(&1e-3, &1e3, 100_000, |&x| product(&roots, x), test).unwrap();
+    assert!(found.is_spent && found.brackets.len() > 100 && found.brackets.len() < 1000);
+    let [(from, to)] = found.undecided[..] else { panic!("{:?}", found.undecided) };
+    assert!(to == 1e3 && found.brackets.iter().all(|bracket| bracket.upper.x <= from));
+    assert_found(&found, &roots[..found.brackets.len()]);
 }
 
 proptest! {

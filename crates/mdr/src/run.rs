@@ -86,7 +86,7 @@ pub fn free_thread_cache() {
     rug::float::free_cache(rug::float::FreeCache::Local);
 }
 
-/// How a scene is solved: its observer, its stop, and its budget of work; by default none, none, and [`BUDGET`] an output.
+/// How a scene is solved: its observer, its stop, and its budget of work; by default none, none, and [`BUDGET`].
 #[derive(Default)]
 pub struct Run<'a> {
     pub(crate) observer: Option<&'a mut dyn Observer>,
@@ -94,14 +94,16 @@ pub struct Run<'a> {
     pub(crate) budget: Option<f64>,
 }
 
-/// The work for an output, in seconds of a fast machine. It is counted and not timed, so that no answer depends on how busy the
+/// The work for a scene, in seconds of a fast machine. It is counted and not timed, so that no answer depends on how busy the
 /// machine is.
 pub const BUDGET: f64 = 10.0;
 
 /// The unit of work is a nanosecond of a machine of 2024: solve/weight.rs says what an evaluation costs.
 const PER_SECOND: f64 = 1e9;
-/// So many rows of an output have the budget of one.
+/// So many rows have the budget of one scene.
 const ROWS: usize = 64;
+/// The part of the budget, inverse, that is kept for later outputs: none is left without any.
+const KEPT: u64 = 4;
 
 impl<'a> Run<'a> {
     /// With an observer and a stop.
@@ -109,18 +111,36 @@ impl<'a> Run<'a> {
         Run { observer: Some(observer), stop, budget: None }
     }
 
-    /// The run with another [`BUDGET`] for each output, and for each 64 rows of a long one. What is not found within it is
-    /// `undecided`.
+    /// The run with another [`BUDGET`] for the scene, all its outputs together, and so much more for each 64 rows of them. What is not
+    /// found within it is `undecided`.
     #[must_use]
     pub fn within(self, seconds: f64) -> Self {
         Run { budget: Some(seconds), ..self }
     }
 
-    /// Allows the work for an output with so many rows.
-    pub(crate) fn allow(&self, counts: &Counts, rows: usize) {
+    /// The work for a scene with so many rows, for so many parts.
+    pub(crate) fn allowance(&self, rows: usize, parts: usize) -> Allowance {
         let seconds = self.budget.unwrap_or(BUDGET) * (1 + rows / ROWS) as f64;
-        // They share it.
-        counts[0].allow((PER_SECOND * seconds) as u64);
+        Allowance { work: (PER_SECOND * seconds) as u64, parts: parts.max(1) as u64, later: parts as u64 }
+    }
+}
+
+/// The work that the parts of a scene share.
+pub(crate) struct Allowance {
+    work: u64,
+    parts: u64,
+    /// The parts to come.
+    later: u64,
+}
+
+impl Allowance {
+    /// Allows the work for the next part: what is left, but for a share of each later one.
+    pub(crate) fn next(&mut self, counts: &Counts) {
+        self.later = self.later.saturating_sub(1);
+        let share = self.work / (KEPT * self.parts);
+        let left = self.work.saturating_sub(counts[0].spent());
+        // All counts share it.
+        counts[0].allow(left.saturating_sub(share * self.later).max(share));
     }
 }
 
@@ -135,5 +155,36 @@ pub(crate) fn lack<T>(result: contact::Result<T>) -> contact::Result<contact::Re
     match result {
         Err(contact::Error::Stopped) => Err(contact::Error::Stopped),
         result => Ok(result),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What one part leaves the next one has, and what it does not, a share.
+    #[test]
+    fn the_parts_of_a_scene_share_one_budget() {
+        let counts = Stop::default().counts();
+        let mut allowance = Run::default().within(1.0).allowance(0, 2);
+        let budget = counts[0].budget();
+        allowance.next(&counts);
+        budget.spend(874_999_999);
+        assert!(!budget.is_spent());
+        budget.spend(1);
+        assert!(budget.is_spent());
+        allowance.next(&counts);
+        budget.spend(124_999_999);
+        assert!(!budget.is_spent());
+        budget.spend(1);
+        assert!(budget.is_spent());
+    }
+
+    #[test]
+    fn a_scene_with_many_rows_has_more() {
+        let counts = Stop::default().counts();
+        Run::default().within(1.0).allowance(128, 1).next(&counts);
+        counts[0].budget().spend(2_999_999_999);
+        assert!(!counts[0].budget().is_spent());
     }
 }

@@ -251,3 +251,112 @@ fn folds_of_an_endless_wave_are_proved_in_a_range() {
     // The next crest is above the indentation: f(2π) = 0 < d.
     assert_eq!((&fold["kind"], &fold["admissible"]), (&"maximum".into(), &false.into()), "{answer}");
 }
+
+/// Terms that cancel at the tip hide there in doubles, and in any precision at a radius small enough, that the profile tends to 0.
+#[test]
+fn formulas_that_cancel_at_the_tip_are_read() {
+    let read = |text: &str| Formula::new(text, std::collections::BTreeMap::new()).map_err(|error| error.to_string());
+    for text in [
+        "(exp(r^2)-1-r^2)/r^2",
+        "(exp(r^2)-1-r^2-r^4/2)/r^3",
+        "(1-cos(r))/r",
+        "1-sin(r)/r",
+        "r-tanh(r)",
+        "sin(r)/cos(r)-r",
+        "ln(cosh(r))",
+        "(cosh(r)-1)/r",
+        "r^2/(1+sqrt(1-r^2))",
+        "sqrt(1+r^2)-1",
+        "exp(r)-1-r",
+        "(1-cos(r)*exp(r^2))/r",
+        "r*ln(1+1/r)",
+    ] {
+        assert!(read(text).is_ok(), "{text}: {:?}", read(text));
+    }
+    for text in ["1+r^2", "cos(r)", "(1+r^2)/(1+r)", "sin(r)/r", "1/r", "ln(r)", "1e-40*sin(r)/r + r"] {
+        let error = read(text).expect_err(text);
+        assert!(error.contains("not zero at the tip") || error.contains("not seen to tend to 0"), "{error}");
+    }
+}
+
+/// In doubles such terms are lost next to the tip: enclosures have the number, or there is none.
+#[test]
+fn numbers_that_cancel_in_doubles_are_no_numbers() {
+    let near: [(&str, [f64; 2]); 4] = [
+        // C x^n times √π Γ(n/2 + 1)/Γ((n + 1)/2), and the slope: g of the leading term.
+        ("exp(r)-1-r", [1.0, 2.0]),
+        ("(exp(r^2)-1-r^2)/r^2", [1.0, 2.0]),
+        ("1-sin(r)/r", [1.0 / 3.0, 2.0]),
+        ("r-tanh(r)", [std::f64::consts::PI / 4.0, 3.0]),
+    ];
+    let mut proved = 0;
+    for (text, [factor, n]) in near {
+        let rest =
+            "output = { want = [\"transform\"], transform.at = [\"1e-5\", \"1e-8\", \"1e-12\"], arithmetic = \"f64\" }";
+        let answer = solved(&formula(text, rest));
+        for sample in answer["transform"].as_array().unwrap() {
+            let x: f64 = sample["x"].as_str().unwrap().parse().unwrap();
+            let Some(g) = sample["g"].as_f64() else {
+                assert_eq!(sample["status"], "undecided", "{text}: {sample}");
+                continue;
+            };
+            assert!((g / (factor * x.powf(n)) - 1.0).abs() < 1e-4, "{text}: {sample}");
+            proved += 1;
+        }
+    }
+    assert!(proved >= 6, "{proved}");
+}
+
+/// g of ln(1 + r²) rises, though ever slower: the form tells what enclosures over all radii do not.
+#[test]
+fn a_logarithm_rises_by_its_form() {
+    let rest = "output = { want = [\"equilibria\"], equilibria.at = [\"0.1\"], arithmetic = \"f64\" }";
+    let answer = solved(&formula("ln(1 + r^2)", rest));
+    let states = answer["equilibria"][0]["equilibria"].as_array().unwrap();
+    assert!(states.len() == 2 && states.iter().all(|state| state["admissible"] == true), "{answer}");
+}
+
+fn solved_within(text: &str, seconds: f64) -> Value {
+    let answer = scene(text).solve_with(&mut Run::new(&mut (), Stop::default()).within(seconds));
+    serde_json::from_str(&answer.unwrap().to_json()).unwrap()
+}
+
+/// Folds that a search has found are there when the budget does not suffice to sharpen them.
+#[test]
+fn folds_that_are_not_sharpened_are_doubles() {
+    let wave = formula("r^2/2 + 0.01*(1 - cos(20*r))", "output = { want = [\"folds\"], digits = 300 }");
+    let answer = solved_within(&wave, 0.7);
+    assert_eq!(answer["promise"]["folds"], "f64", "{answer}");
+    assert_eq!(answer["complete"]["folds"]["undecided"], true, "{answer}");
+    let why = answer["complete"]["folds"]["why"].as_str().unwrap();
+    assert!(why.contains("not sharpened") && why.contains("budget"), "{why}");
+    // The fold of F at this modulus, to the digits of a double.
+    let force = answer["folds"][0]["force"].as_f64().unwrap();
+    assert!((force / -0.000_052_831_514_190_849_78 - 1.0).abs() < 1e-9, "{answer}");
+}
+
+/// Folds that are proved stand when the budget is spent before all radii were looked at.
+#[test]
+fn folds_that_are_proved_outlast_the_budget() {
+    let text = "material = { e_star = \"1e6\", work_of_adhesion = \"0.05\" }
+        profile = { kind = \"wavy-paraboloid\", radius = 1, amplitude = \"1e-8\", wavelength = \"1e-4\" }
+        output = { want = [\"folds\"] }";
+    let [all, part] = [10.0, 0.15].map(|seconds| solved_within(text, seconds));
+    let [all_folds, folds] = [&all, &part].map(|answer| answer["folds"].as_array().unwrap());
+    assert!(all["complete"]["folds"]["proved"] == true && part["complete"]["folds"]["undecided"] == true);
+    assert!(!folds.is_empty() && folds.len() < all_folds.len(), "{} of {}", folds.len(), all_folds.len());
+    for (one, other) in folds.iter().zip(all_folds) {
+        assert_eq!(one["contact_radius"], other["contact_radius"]);
+    }
+    assert!(part["complete"]["folds"]["why"].as_str().unwrap().contains("the budget was spent before"), "{part}");
+}
+
+/// A state whose energy is not enclosed takes that of the others with it no longer.
+#[test]
+fn the_energy_of_one_state_is_open_alone() {
+    let rest = "output = { want = [\"energy\"], equilibria.at = [\"0.1\"], digits = 5 }";
+    let answer = solved_within(&formula("ln(1 + r^2)", rest), 5.5);
+    let [one, other] = answer["energy"][0]["states"].as_array().unwrap().as_slice() else { panic!("{answer}") };
+    assert_eq!((&one["energy"], &one["status"]), (&"0.0011836".into(), &"ok".into()), "{answer}");
+    assert_eq!((&other["energy"], &other["status"]), (&Value::Null, &"undecided".into()), "{answer}");
+}

@@ -58,7 +58,7 @@ pub(crate) struct Solve {
     #[arg(long, value_name = "FILE")]
     certificate: Option<PathBuf>,
 
-    /// Work for each output, in seconds of a fast machine (counted, not timed); what it does not suffice for is undecided
+    /// Work for the scene, in seconds of a fast machine (counted, not timed); what it does not suffice for is undecided
     #[arg(long, value_name = "SECONDS", default_value_t = BUDGET.to_string())]
     budget: String,
 

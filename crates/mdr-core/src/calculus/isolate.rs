@@ -31,11 +31,17 @@ pub struct Isolation<R> {
     pub undecided: Vec<(R, R)>,
     /// Evaluations of the function.
     pub evaluations: usize,
+    /// Whether [work that is counted](Error::BudgetSpent) was spent before all of the interval was looked at.
+    pub is_spent: bool,
 }
+
+/// So many cells are halved level by level; of more the lower ones come first, so that something is known of them when the work is spent.
+const TOGETHER: usize = 256;
 
 /// The sign changes of f on (lower, upper), 0 < lower < upper, with proof: every cell must pass the enclosure `test`.
 /// Cells that fail it down to the relative width √u (u the unit roundoff), or when about `budget` evaluations are
-/// spent, are undecided. The work is spread evenly, one level of halving after the other.
+/// spent, are undecided. The work is spread evenly, one level of halving after the other, over as many cells as are halved
+/// together; of more the lower ones come first.
 ///
 /// ```
 /// use mdr_core::calculus::isolate::{Behaviour, isolate};
@@ -59,8 +65,24 @@ pub fn isolate<R: Real>(
     lower: &R,
     upper: &R,
     budget: usize,
+    f: impl FnMut(&R) -> Result<R>,
+    test: impl FnMut(&R, &R) -> Result<Behaviour>,
+) -> Result<Isolation<R>> {
+    isolate_each(lower, upper, budget, f, test, |_| Ok(()))
+}
+
+/// The sign changes of [`isolate`], of which each is given to `found` before the next one is looked for. Where an evaluation or `found`
+/// returns [`Error::BudgetSpent`], all that is left is undecided.
+///
+/// # Errors
+/// Those of [`isolate`]; whatever `found` returns, but for a spent budget.
+pub fn isolate_each<R: Real>(
+    lower: &R,
+    upper: &R,
+    budget: usize,
     mut f: impl FnMut(&R) -> Result<R>,
     mut test: impl FnMut(&R, &R) -> Result<Behaviour>,
+    mut found: impl FnMut(&Bracket<R>) -> Result<()>,
 ) -> Result<Isolation<R>> {
     let [lower, upper] = [lower, upper].map(|end| Error::require_positive(Quantity::Radius, end.clone()));
     let (lower, upper) = (lower?, upper?);
@@ -72,38 +94,67 @@ pub fn isolate<R: Real>(
         evaluations.update(|count| count + 1);
         Sample::take(x, &mut f)
     };
-    let mut cells = vec![[sample(lower)?, sample(upper)?]];
-    let mut brackets: Vec<Bracket<R>> = Vec::new();
-    let mut decided: Vec<[Sample<R>; 2]> = Vec::new();
-    let mut undecided = Vec::new();
-    while !cells.is_empty() {
+    let mut waiting = vec![vec![[sample(lower)?, sample(upper)?]]];
+    let mut isolation =
+        Isolation { brackets: Vec::new(), cells: Vec::new(), undecided: Vec::new(), evaluations: 0, is_spent: false };
+    while let Some(cells) = waiting.pop() {
         let mut next = Vec::new();
-        for [lower, upper] in cells {
-            if evaluations.get() >= budget {
-                undecided.push((lower.x, upper.x));
+        for cell in cells {
+            if isolation.is_spent || evaluations.get() >= budget {
+                isolation.leave(cell);
                 continue;
             }
-            match test(&lower.x, &upper.x)? {
-                Behaviour::Nonzero => decided.push([lower, upper]),
-                Behaviour::Monotone if lower.differs(&upper) || lower.agrees(&upper) => {
-                    decided.push([lower.clone(), upper.clone()]);
-                    brackets.extend(Bracket::between(lower, upper, 0));
+            match isolation.settle(&cell, &mut sample, &mut test, &mut found) {
+                Err(Error::BudgetSpent { .. }) => {
+                    isolation.is_spent = true;
+                    isolation.leave(cell);
                 }
-                _ => {
-                    let middle = between(&lower, &upper, &mut sample)?;
-                    if is_narrow(&lower.x, &upper.x) {
-                        undecided.push((lower.x, upper.x));
-                    } else {
-                        next.extend([[lower, middle.clone()], [middle, upper]]);
-                    }
+                halves => next.extend(halves?.into_iter().flatten()),
+            }
+        }
+        waiting.extend(next.chunks(TOGETHER).rev().map(<[_]>::to_vec));
+    }
+    isolation.brackets.sort_by(|one, other| order(&one.lower.x, &other.lower.x));
+    isolation.cells.sort_by(|one, other| order(&one[0].x, &other[0].x));
+    Ok(Isolation { undecided: merge(isolation.undecided), evaluations: evaluations.get(), ..isolation })
+}
+
+/// The ends of a cell.
+type Ends<R> = [Sample<R>; 2];
+
+impl<R: Real> Isolation<R> {
+    fn leave(&mut self, [lower, upper]: Ends<R>) {
+        self.undecided.push((lower.x, upper.x));
+    }
+
+    /// Settles a cell, or halves it.
+    fn settle(
+        &mut self,
+        [lower, upper]: &Ends<R>,
+        sample: impl FnMut(R) -> Result<Sample<R>>,
+        test: &mut impl FnMut(&R, &R) -> Result<Behaviour>,
+        found: &mut impl FnMut(&Bracket<R>) -> Result<()>,
+    ) -> Result<Option<[Ends<R>; 2]>> {
+        let cell = || [lower.clone(), upper.clone()];
+        match test(&lower.x, &upper.x)? {
+            Behaviour::Nonzero => self.cells.push(cell()),
+            Behaviour::Monotone if lower.differs(upper) || lower.agrees(upper) => {
+                let bracket = Bracket::between(lower.clone(), upper.clone(), 0);
+                bracket.as_ref().map_or(Ok(()), found)?;
+                self.cells.push(cell());
+                self.brackets.extend(bracket);
+            }
+            _ => {
+                let middle = between(lower, upper, sample)?;
+                if is_narrow(&lower.x, &upper.x) {
+                    self.leave(cell());
+                } else {
+                    return Ok(Some([[lower.clone(), middle.clone()], [middle, upper.clone()]]));
                 }
             }
         }
-        cells = next;
+        Ok(None)
     }
-    brackets.sort_by(|one, other| order(&one.lower.x, &other.lower.x));
-    decided.sort_by(|one, other| order(&one[0].x, &other[0].x));
-    Ok(Isolation { brackets, cells: decided, undecided: merge(undecided), evaluations: evaluations.get() })
 }
 
 /// Whether a double zero and a pair of zeros can no longer be separated.

@@ -39,10 +39,10 @@ pub use range::range;
 
 use std::sync::Arc;
 
-use mdr_core::calculus::isolate::{Behaviour, isolate};
+use mdr_core::calculus::isolate::{Behaviour, isolate_each};
 use mdr_core::calculus::verify::verify;
 use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Result};
-use mdr_core::number::{Dual, Interval, Precision, Real};
+use mdr_core::number::{Dual, Interval, Precision, Real, order};
 use rug::Float;
 
 use crate::contact::Contact;
@@ -95,13 +95,21 @@ pub struct ProvedFolds {
     pub cells: Vec<ProvedCell>,
     /// Evaluations of the tangency condition.
     pub evaluations: usize,
+    /// Whether the [work](Error::BudgetSpent) that the evaluations may take was spent: something undecided was not looked at then.
+    pub is_spent: bool,
 }
 
 impl ProvedFolds {
     /// Nothing found yet on a range.
     fn on(range: (Float, Float)) -> Self {
         let (folds, poles, undecided, cells) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        ProvedFolds { range, folds, poles, undecided, cells, evaluations: 0 }
+        ProvedFolds { range, folds, poles, undecided, cells, evaluations: 0, is_spent: false }
+    }
+
+    /// A part that was not looked at, because the work was spent.
+    fn leave(&mut self, part: (Float, Float)) {
+        self.is_spent = true;
+        self.undecided.push(part);
     }
 
     /// Whether the folds are proved to be all in the range.
@@ -152,7 +160,11 @@ impl EnclosedCurve {
         for gap in self.gaps(lower, upper)? {
             self.smooth_part(&from, &gap.before, budget, &mut found)?;
             from = gap.after.clone();
-            self.gap(gap, &mut found)?;
+            let around = (gap.before.clone(), gap.after.clone());
+            match self.gap(gap, &mut found) {
+                Err(Error::BudgetSpent { .. }) => found.leave(around),
+                looked => looked?,
+            }
         }
         match end {
             Some(end) if from < end => {
@@ -177,23 +189,39 @@ impl EnclosedCurve {
         }
         let ends = [lower, upper].map(|end| Interval::point(end.clone()));
         let condition = |a: &Interval| self.condition(a);
-        let isolation = isolate(&ends[0], &ends[1], budget, condition, |a, b| self.behaviour(&a.hull(b)))?;
-        let fine = self.fine.as_deref().unwrap_or(self);
-        for bracket in &isolation.brackets {
+        let behaviour = |a: &Interval, b: &Interval| self.behaviour(&a.hull(b));
+        let (mut folds, mut merged) = (Vec::new(), Vec::new());
+        let isolation = isolate_each(&ends[0], &ends[1], budget, condition, behaviour, |bracket| {
             let cell = bracket.lower.x.hull(&bracket.upper.x);
-            match fine.zero(&cell)? {
-                Some(radius) => {
-                    let kind = if bracket.lower.f < bracket.upper.f { FoldKind::Minimum } else { FoldKind::Maximum };
-                    found.folds.push(fine.state(radius, kind)?);
-                }
-                None => found.undecided.push((cell.lower().clone(), cell.upper().clone())),
+            match self.fold_in(&cell, bracket.lower.f < bracket.upper.f)? {
+                Some(fold) => folds.push(fold),
+                None => merged.push((cell.lower().clone(), cell.upper().clone())),
             }
-        }
+            Ok(())
+        });
+        let isolation = match isolation {
+            Err(Error::BudgetSpent { .. }) => {
+                found.leave((lower.clone(), upper.clone()));
+                return Ok(());
+            }
+            isolation => isolation?,
+        };
+        folds.sort_by(|one, other| order(&one.contact_radius, &other.contact_radius));
+        found.folds.extend(folds);
+        found.undecided.extend(merged);
         found.cells.extend(isolation.cells.iter().map(ProvedCell::of));
         let ends = |(a, b): (Interval, Interval)| (a.lower().clone(), b.upper().clone());
         found.undecided.extend(isolation.undecided.into_iter().map(ends));
         found.evaluations += isolation.evaluations;
+        found.is_spent |= isolation.is_spent;
         Ok(())
+    }
+
+    /// The fold in a cell that isolates it, in the finer precision; `None` where that is not proved.
+    fn fold_in(&self, cell: &Interval, rises: bool) -> Result<Option<Fold<Interval>>> {
+        let fine = self.fine.as_deref().unwrap_or(self);
+        let kind = if rises { FoldKind::Minimum } else { FoldKind::Maximum };
+        fine.zero(cell)?.map(|radius| fine.state(radius, kind)).transpose()
     }
 
     /// The fold in the precision of this curve, from an enclosure in a lower precision.

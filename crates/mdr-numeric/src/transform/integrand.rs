@@ -17,6 +17,10 @@ pub(super) enum Integrand {
 }
 
 impl Integrand {
+    /// In their order.
+    #[cfg(feature = "mp")]
+    pub(super) const ALL: [Integrand; 4] = [Integrand::Height, Integrand::Rise, Integrand::Transform, Integrand::Slope];
+
     /// φ at r = sx, with the derivatives from dual numbers; s is used for g' only. The variable has the slope r, not 1,
     /// so that the derivative is D and every term is a length of the magnitude of f. For g' the derivative is that in
     /// x, so that no height is divided by x: near the tip heights leave the range of the arithmetic where slopes do

@@ -17,6 +17,8 @@ mod gauss;
 mod integral;
 mod integrand;
 mod line;
+#[cfg(feature = "mp")]
+mod lost;
 mod periodic;
 mod powers;
 mod quadrature;
@@ -28,6 +30,8 @@ mod weighted;
 #[cfg(feature = "mp")]
 pub use enclosed::{Enclosed, EnclosedWithSlopes};
 pub use line::LineLoad;
+#[cfg(feature = "mp")]
+pub use lost::lost_below;
 pub use periodic::Periodic;
 pub use powers::{Powers, graded_kappa, line_factor};
 pub use quadrature::{Quadrature, Rule};

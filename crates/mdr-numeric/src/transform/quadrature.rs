@@ -55,6 +55,8 @@ pub struct Quadrature<R, P> {
     fixed: OnceLock<Result<[Vec<gauss::Node<R>>; 2]>>,
     /// The most pieces of an integral.
     pub(super) strides: i64,
+    /// The radii below which the integrands, in their order, are lost to rounding.
+    lost: Option<[R; 4]>,
     /// Heights evaluated so far.
     heights: Arc<AtomicU64>,
 }
@@ -88,6 +90,7 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
             ladder,
             fixed: OnceLock::new(),
             strides: PATIENCE / WAVES,
+            lost: None,
             heights: Arc::default(),
             profile,
         }
@@ -124,6 +127,13 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     /// quadrature fails, so its cost increases with this number.
     pub fn with_waves(self, count: u32) -> Self {
         Quadrature { strides: (i64::from(count) / WAVES).max(1), ..self }
+    }
+
+    /// Leaves out radii below which [terms cancel](super::lost_below) in the heights, the rises, the integrands of g and those of g': there the
+    /// result is [`NoConvergence`](Error::NoConvergence).
+    #[must_use]
+    pub fn lost_below(self, radii: [R; 4]) -> Self {
+        Quadrature { lost: Some(radii), ..self }
     }
 
     /// The profile.
@@ -164,6 +174,10 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
 
     fn estimate_within(&self, x: &R, integrand: Integrand, needed: R) -> Result<Estimate<R>> {
         self.check(x)?;
+        if self.lost.as_ref().is_some_and(|lost| *x < lost[integrand as usize]) {
+            let quantity = Quantity::TransformedProfile;
+            return Err(Error::NoConvergence { quantity, evaluations: 0, error: 1.0 });
+        }
         let estimate = Integral::new(self, x, integrand, needed).estimate();
         let heights = match &estimate {
             Ok(estimate) => estimate.evaluations,

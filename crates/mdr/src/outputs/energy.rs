@@ -29,7 +29,7 @@ use crate::{
     scene::Scene,
     solve::certified::Certified,
     solve::power_law::{self, PowerLaw},
-    solve::rigorous::{self, Proved},
+    solve::rigorous::{self, Described, Proved},
 };
 
 record! {
@@ -75,10 +75,13 @@ impl<'w> IsRoom<'w> for Room<'w> {
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
         let is_enclosed = certified.encloses_energies()?;
-        let items = rigorous::described(certified, is_enclosed, self.states, |proved, state, record| {
-            of_proved(certified, proved, state, record)
-        })?;
-        Ok(items.map(|items| Output::Energy(List::new(Promise::Certified, items))))
+        let energy = |proved: &Proved<'_>, state: &_, record| of_proved(certified, proved, state, record);
+        let open =
+            |proved: &Proved<'_>, state: &_, record, error: &_| open_energy(certified, proved, state, record, error);
+        let list = |items| Output::Energy(List::new(Promise::Certified, items));
+        let Described { all, some } = rigorous::described_in_part(certified, is_enclosed, self.states, energy, open)?;
+        certified.keep(some.map(list));
+        Ok(all.map(list))
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
@@ -93,8 +96,10 @@ impl<'w> IsRoom<'w> for Room<'w> {
     #[cfg(feature = "mp")]
     fn has_open_numbers(&self, output: &Output) -> bool {
         let Output::Energy(list) = output else { return false };
-        let mut states = list.items.iter().flat_map(|at| &at.items);
-        states.any(|state| state.energy.status() == Status::Undecided)
+        let is_open = |at: &AtValue<EnergyState>| {
+            at.status == Status::Undecided || at.items.iter().any(|state| state.energy.status() == Status::Undecided)
+        };
+        list.items.iter().any(is_open)
     }
 
     fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
@@ -151,6 +156,24 @@ fn of_proved(
         admissible: Admission::of(verdict),
         edge: proved.edge,
     })
+}
+
+/// A state that is proved, without its energy.
+///
+/// # Errors
+/// [`Certified::admissibility`].
+#[cfg(feature = "mp")]
+fn open_energy(
+    certified: &Certified<'_>,
+    proved: &Proved<'_>,
+    state: &Equilibrium<Interval>,
+    record: PlainState<Enclosure>,
+    error: &Error,
+) -> Result<EnergyState<Enclosure>> {
+    let unknown = || Value::unknown(Status::Undecided, error.to_string());
+    let verdict = verdict(&*certified.admissibility()?, &state.contact_radius, &state.indentation);
+    let (energy, stiffness, admissible) = (unknown(), unknown(), Admission::of(verdict));
+    Ok(EnergyState { state: record, energy, stiffness, admissible, edge: proved.edge })
 }
 
 /// dF/dd of a state, which at a fold is known without a division.

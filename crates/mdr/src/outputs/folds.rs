@@ -5,7 +5,7 @@ use mdr_analytic::certified;
 use mdr_core::contact::{self, Edge, FoldKind, Regime, Result, Status};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
-use mdr_core::number::{Precision, certify::Enclosure};
+use mdr_core::number::{Interval, Precision, certify::Enclosure};
 use mdr_numeric::admissible::{Admissibility, GapVerdict};
 #[cfg(feature = "mp")]
 use mdr_numeric::proof::EnclosedCurve;
@@ -26,7 +26,7 @@ use crate::solve::verdict;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
-    digits::decide,
+    digits::{decide, decide_within, start},
     power_law::{self, PowerLaw},
     proof::{self, Enclosed, FoldProof},
 };
@@ -156,18 +156,39 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
     let mut curves = Curves { certified, known: Vec::new() };
     // One fold after the other: of thousands a few need more bits than the others.
     let decided = folds.proved.folds.iter().map(|fold| {
-        decide(certified.digits, |precision| {
-            let Known { curve, enclosed, .. } = curves.at(precision)?;
-            let admissibility = certified.admissibility()?;
-            let mut record = judged(&enclosed.value, curve.refine(fold)?, &admissibility).convert(Enclosure::from);
+        let admissibility = certified.admissibility()?;
+        let record = |model: &Model<_>, refined| {
+            let mut record = judged(model, refined, &admissibility).convert(Enclosure::from);
             if certified.scene.breaks_at_zero_depth(&fold.contact_radius) {
                 record.indentation = proof::exactly(&0.into());
             }
-            Ok(vec![record])
-        })
+            vec![record]
+        };
+        let refined = decide(certified.digits, |precision| {
+            let Known { curve, enclosed, .. } = curves.at(precision)?;
+            Ok(record(&enclosed.value, curve.refine(fold)?))
+        });
+        match refined {
+            // As many digits as are known already.
+            Err(contact::Error::BudgetSpent { .. }) => {
+                let digits = digits_of(fold).min(certified.digits);
+                let first = start(digits);
+                decide_within(1, first, digits, |_| Ok(record(&curves.at(first)?.enclosed.value, fold.clone())))
+            }
+            refined => refined,
+        }
     });
     let items = decided.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect();
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
+}
+
+/// The digits to which all quantities of a fold are enclosed.
+#[cfg(feature = "mp")]
+fn digits_of(fold: &contact::Fold<Interval>) -> u32 {
+    let bits = [&fold.contact_radius, &fold.indentation, &fold.force].map(Interval::accuracy_bits).into_iter().min();
+    // The last one may be a tie.
+    let digits = bits.unwrap_or(0).clamp(0, 1 << 20) as f64 * std::f64::consts::LOG10_2 - 1.0;
+    (digits as u32).max(1)
 }
 
 /// The curve over enclosures in each precision that has been needed.

@@ -1,6 +1,8 @@
 //! The output `transform`: g, g' and ∫g of the profile at radii.
 
 use mdr_core::contact::Result;
+#[cfg(feature = "mp")]
+use mdr_core::contact::Status;
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
@@ -83,6 +85,13 @@ impl<'w> IsRoom<'w> for Room<'w> {
             small > 0 && small < known.len() || values.iter().any(unknown_magnitude)
         };
         list.items.iter().any(lost)
+    }
+
+    #[cfg(feature = "mp")]
+    fn has_open_numbers(&self, output: &Output) -> bool {
+        let Output::Transform(list) = output else { return false };
+        let is_open = |value: &Value| value.status() == Status::Undecided;
+        list.items.iter().any(|sample| [&sample.g, &sample.slope, &sample.integral].into_iter().any(is_open))
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {

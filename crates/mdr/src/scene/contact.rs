@@ -104,6 +104,8 @@ impl Profile {
                     expression,
                     parameters,
                     breaks,
+                    // Only its enclosures are used.
+                    lost: [0.0; 4],
                 }))
             }
             _ => None,
@@ -240,7 +242,14 @@ pub(crate) fn by_formulas<R: Struve + Kappa>(
             if let Some(transform) = formulas(profile) {
                 return transform;
             }
-            Box::new(Quadrature::new(formula.bound(ctx, number)?))
+            let quadrature = Quadrature::new(formula.bound(ctx, number)?);
+            #[cfg(feature = "mp")]
+            let quadrature = if R::from_int(ctx, 1).precision() <= f64::MANTISSA_DIGITS {
+                quadrature.lost_below(formula.lost.map(|radius| R::from_f64(ctx, radius)))
+            } else {
+                quadrature
+            };
+            Box::new(quadrature)
         }
         Profile::Table(measured) => Box::new(measured.table.profile::<R>(ctx)?),
         Profile::Function(function) => {

@@ -1,9 +1,9 @@
 //! A scene in certified digits: enclosures of closed forms, of integrals and of sums over rows.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 
-use mdr_core::contact::Result;
+use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Precision, Real};
 use mdr_numeric::admissible::Admissibility;
@@ -17,8 +17,8 @@ use super::proof::{self, FoldProof};
 use super::rigorous::{Formulas, with_energies, without_energies};
 use super::search::Search;
 use super::{Once, once};
-use crate::answer::Number;
 use crate::answer::record::Numbers;
+use crate::answer::{Number, Output};
 use crate::run::Counts;
 use crate::scene::Scene;
 
@@ -36,13 +36,25 @@ pub(crate) struct Certified<'s> {
     folds: Once<Option<FoldProof>>,
     admissibility: Once<Arc<Admissibility>>,
     formulas: Once<Option<Formulas>>,
+    /// An output of which a part is proved, for where nothing else has more of it.
+    kept: RefCell<Option<Output>>,
 }
 
 impl<'s> Certified<'s> {
     pub(crate) fn new(scene: &'s Scene, digits: u32, counts: &'s Counts) -> Self {
         let (search, plain, folds) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
-        let (admissibility, formulas) = (OnceCell::new(), OnceCell::new());
-        Certified { scene, digits, counts, search, plain, folds, admissibility, formulas }
+        let (admissibility, formulas, kept) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
+        Certified { scene, digits, counts, search, plain, folds, admissibility, formulas, kept }
+    }
+
+    /// Keeps an output of which only a part is proved.
+    pub(crate) fn keep(&self, output: Option<Output>) {
+        self.kept.replace(output);
+    }
+
+    /// What was kept of the output.
+    pub(crate) fn take_kept(&self) -> Option<Output> {
+        self.kept.take()
     }
 
     /// The profile as formulas; `None` if it is none, or their kinks are not known.
@@ -120,7 +132,10 @@ impl<'s> Certified<'s> {
     /// # Errors
     /// A number that no double holds; errors of the search.
     pub(crate) fn plain(&self) -> Result<&Search<'s>> {
-        once(&self.plain, || Ok(self.search()?.in_units(self.counts)?.knowing(self.admissibility()?, self.remark())))
+        once(&self.plain, || {
+            let is_open = matches!(self.folds.get(), Some(Err(Error::BudgetSpent { .. })));
+            Ok(self.search()?.in_units(self.counts)?.knowing(self.admissibility()?, self.remark(), is_open))
+        })
     }
 
     /// Why more is not proved, where that is known.
@@ -128,7 +143,14 @@ impl<'s> Certified<'s> {
         if let Some(rows) = self.scene.profile.rows().filter(|rows| *rows > PROVED_ROWS) {
             return Some(format!("; tables are proved up to {PROVED_ROWS} rows, this has {rows}"));
         }
-        let folds = self.folds.get()?.as_ref().ok()?.as_ref()?;
+        let folds = match self.folds.get()? {
+            Err(Error::BudgetSpent { .. }) => {
+                return Some(
+                    "; the budget was spent before this was proved, and a larger one may decide it".to_owned(),
+                );
+            }
+            folds => folds.as_ref().ok()?.as_ref()?,
+        };
         let [from, to] = [&folds.complete.from, &folds.complete.to].map(|end| end.as_deref().unwrap_or("infinity"));
         Some(format!("; the folds are proved to be all within radii from {from} to {to} m, and not every state is"))
     }

@@ -81,12 +81,14 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     solver.check_range()?;
     let mut outputs = Vec::new();
     let mut costs = Vec::new();
+    let parts = scene.wants.len() + usize::from(scene.range_of_adhesion.is_some());
+    let mut allowance = run.allowance(scene.wants.iter().map(|want| rows(scene, want)).sum(), parts);
     for want in &scene.wants {
         if let Some(observer) = &mut run.observer {
             observer.begin(want);
         }
         let before = counts.each_ref().map(|count| count.read());
-        run.allow(&counts, rows(scene, want));
+        allowance.next(&counts);
         let output = solver.output(want);
         // A stop may have been taken for a number that cannot be had.
         if run.stop.is_stopped() {
@@ -104,7 +106,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
         outputs.push(output);
         costs.push(cost);
     }
-    run.allow(&counts, 0);
+    allowance.next(&counts);
     let validity = validity::of(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver.search().ok()));
@@ -223,6 +225,14 @@ impl<'s> Route<'s> {
         match self {
             Route::Search(search) => Ok(search),
             Route::Certified(certified) => certified.plain(),
+        }
+    }
+
+    /// A part of the output that is proved.
+    fn kept(&self) -> Option<Output> {
+        match self {
+            Route::Search(_) => None,
+            Route::Certified(certified) => certified.take_kept(),
         }
     }
 }

@@ -95,7 +95,7 @@ impl FoldProof {
             proved: proved.is_complete(),
             from,
             to,
-            why: reason(&proved.undecided),
+            why: reason(&proved),
             undecided: !proved.undecided.is_empty(),
         };
         Ok(FoldProof { proved, complete })
@@ -159,7 +159,7 @@ pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
 }
 
 /// Why folds are all, or are not.
-fn reason(undecided: &[(Float, Float)]) -> String {
+fn reason(ProvedFolds { undecided, is_spent, .. }: &ProvedFolds) -> String {
     if undecided.is_empty() {
         return "enclosures of the tangency condition leave no room for another fold".to_owned();
     }
@@ -171,7 +171,9 @@ fn reason(undecided: &[(Float, Float)]) -> String {
     };
     let shown: Vec<_> = undecided.iter().take(3).map(gap).collect();
     let more = if undecided.len() > 3 { format!(" and {} more", undecided.len() - 3) } else { String::new() };
-    format!("undecided at contact radii {}{more}", shown.join(", "))
+    let why =
+        if *is_spent { ": the budget was spent before these were looked at; a larger one may decide it" } else { "" };
+    format!("undecided at contact radii {}{more}{why}", shown.join(", "))
 }
 
 /// The number as it is written.

@@ -45,13 +45,21 @@ impl Provider<'_, '_> {
                 output => output.map(|output| Some(output).filter(|output| !room.lost_numbers(output))),
             },
             #[cfg(feature = "mp")]
-            Provider::Last(route) => match route.search().and_then(|search| room.searched(search)) {
-                Err(Error::OutOfRange { quantity, .. }) => {
-                    let what = "a number beyond the range of f64: take units in which the contact is nearer to 1";
-                    Err(Error::Undecided { quantity, bits: f64::MANTISSA_DIGITS, what })
+            Provider::Last(route) => {
+                let output = match route.search().and_then(|search| room.searched(search)) {
+                    Err(Error::OutOfRange { quantity, .. }) => {
+                        let what = "a number beyond the range of f64: take units in which the contact is nearer to 1";
+                        Err(Error::Undecided { quantity, bits: f64::MANTISSA_DIGITS, what })
+                    }
+                    output => output,
+                };
+                match (route.kept(), output) {
+                    // A part that is proved is more than a whole that is open.
+                    (Some(kept), Err(error)) if super::is_open(&error) => Ok(Some(kept)),
+                    (Some(kept), Ok(output)) if room.has_open_numbers(&output) => Ok(Some(kept)),
+                    (_, output) => output.map(Some),
                 }
-                output => output.map(Some),
-            },
+            }
             #[cfg(not(feature = "mp"))]
             Provider::Search(search) => room.searched(search).map(Some),
         }

@@ -180,7 +180,15 @@ impl<'m> Proved<'m> {
 }
 
 /// Records at values, as they are printed.
-type Described<T> = Vec<AtValue<<T as Numbers<Enclosure>>::With<Number>>>;
+type Printed<T> = Vec<AtValue<<T as Numbers<Enclosure>>::With<Number>>>;
+
+/// What is proved of the states at values.
+pub(crate) struct Described<T: Numbers<Enclosure>> {
+    /// The records, where all is proved.
+    pub(crate) all: Option<Printed<T>>,
+    /// Otherwise those of which only a part is.
+    pub(crate) some: Option<Printed<T>>,
+}
 
 /// The record of every equilibrium at the values, of the state in which the path starts without values; `None` if not all of it
 /// can be proved, or if what `describe` asks for cannot be enclosed.
@@ -192,27 +200,56 @@ pub(crate) fn described<T: Numbers<Enclosure>>(
     is_enclosed: bool,
     values: &[Literal],
     describe: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
-) -> Result<Option<Described<T>>>
+) -> Result<Option<Printed<T>>>
 where
+    T: Clone,
+    Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
+{
+    let none = |_: &Proved<'_>, _: &Equilibrium<Interval>, _, error: &Error| Err(error.clone());
+    Ok(described_in_part(certified, is_enclosed, values, describe, none)?.all)
+}
+
+/// The records of [`described`], or of the states that are proved where what `describe` asks for is not known of each: `open` is the record of
+/// one of which it is not.
+///
+/// # Errors
+/// Errors of the transform; a value out of its domain.
+pub(crate) fn described_in_part<T: Numbers<Enclosure>>(
+    certified: &Certified<'_>,
+    is_enclosed: bool,
+    values: &[Literal],
+    describe: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
+    open: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>, &Error) -> Result<T>,
+) -> Result<Described<T>>
+where
+    T: Clone,
     Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
 {
     let scene = certified.scene;
+    let of = |all| Described { all, some: None };
     // Within a range that the scene names not all equilibria need be listed.
     if scene.range.is_some() || !is_enclosed {
-        return Ok(None);
+        return Ok(of(None));
     }
     if scene.has_two_works() {
-        return between_edges(certified, values, describe);
+        return between_edges(certified, values, describe).map(of);
     }
-    let Some(folds) = certified.fold_proof()? else { return Ok(None) };
-    reached(decide_within(MOST_OF_INTEGRALS, start(certified.digits), certified.digits, |precision| {
+    let Some(folds) = certified.fold_proof()? else { return Ok(of(None)) };
+    let mut part: Option<(usize, Vec<AtValue<T>>)> = None;
+    let all = reached(decide_within(MOST_OF_INTEGRALS, start(certified.digits), certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
         let branches = branches.with_admissibility(certified.admissibility()?);
         let proved = Proved::new(certified, &enclosed.value, precision)?;
-        let one = |state: Equilibrium<Interval>, literal: &Literal| {
+        let mut left_open = Vec::new();
+        let mut one = |state: Equilibrium<Interval>, literal: &Literal| {
             let record = plain(&proved, state.clone(), literal, &scene.control);
-            describe(&proved, &state, record)
+            describe(&proved, &state, record.clone()).or_else(|error| {
+                let record =
+                    if is_of_one(&error) { open(&proved, &state, record, &error)? } else { return Err(error) };
+                left_open.push(error);
+                Ok(record)
+            })
         };
         let at = |literal: &Literal| {
             let value = enclosed.value.number(literal);
@@ -224,8 +261,29 @@ where
             Ok(AtValue::new(literal, records))
         };
         let start = scene.path.first().filter(|_| values.is_empty());
-        values.iter().chain(start).map(at).collect::<Result<Vec<_>>>()
-    }))
+        let records = values.iter().chain(start).map(at).collect::<Result<Vec<_>>>()?;
+        let Some(error) = left_open.first().cloned() else { return Ok(records) };
+        if part.as_ref().is_none_or(|(open, _)| *open >= left_open.len()) {
+            part = Some((left_open.len(), records));
+        }
+        Err(error)
+    }));
+    let Some((_, records)) = part else { return all.map(of) };
+    let all = match all {
+        Err(Error::BudgetSpent { .. }) => None,
+        all => all?,
+    };
+    let printed = || decide_within(1, start(certified.digits), certified.digits, |_| Ok(records.clone()));
+    let some = if all.is_none() { Some(printed()?) } else { None };
+    Ok(Described { all, some })
+}
+
+/// Whether an error leaves other states as they are.
+fn is_of_one(error: &Error) -> bool {
+    matches!(
+        error,
+        Error::Undecided { .. } | Error::Unproved { .. } | Error::NoConvergence { .. } | Error::BudgetSpent { .. }
+    )
 }
 
 /// The equilibrium in which the path starts; `None` if the surfaces are apart.
@@ -259,7 +317,7 @@ fn between_edges<T: Numbers<Enclosure>>(
     certified: &Certified<'_>,
     values: &[Literal],
     describe: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
-) -> Result<Option<Described<T>>>
+) -> Result<Option<Printed<T>>>
 where
     Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
 {

@@ -27,6 +27,8 @@ pub(crate) struct Search<'s> {
     radii_suffice: bool,
     /// What has to be said beside how folds were searched.
     remark: Option<String>,
+    /// Whether a proof of its folds was begun and not finished.
+    is_open: bool,
 }
 
 impl<'s> Search<'s> {
@@ -53,7 +55,13 @@ impl<'s> Search<'s> {
     pub(crate) fn in_units(&self, counts: &Counts) -> Result<Self> {
         let search = Search::new(self.scene, counts)?;
         let (curve, found) = (search.model.contact(), self.folds()?);
+        let scale = self.scene.scale_of_forces().nearest_f64();
         let state = |fold: &Fold<f64>| {
+            let force = scale * fold.force;
+            // Without another evaluation where the number is one: the budget may be spent.
+            if force.is_normal() {
+                return Ok(Fold { force, ..fold.clone() });
+            }
             let (indentation, force) = curve.state(&fold.contact_radius)?;
             Ok(Fold { indentation, force, ..fold.clone() })
         };
@@ -63,13 +71,14 @@ impl<'s> Search<'s> {
 
     fn with(scene: &'s Scene, model: Model<f64>, radii_suffice: bool) -> Self {
         let (folds, admissibility) = (OnceCell::new(), OnceCell::new());
-        Search { scene, model, folds, admissibility, radii_suffice, remark: None }
+        Search { scene, model, folds, admissibility, radii_suffice, remark: None, is_open: false }
     }
 
-    /// With what is known of the admissible states, and something to be said beside how folds were searched.
+    /// With what is known of the admissible states, something to be said beside how folds were searched, and whether a proof was left
+    /// open.
     #[cfg(feature = "mp")]
-    pub(crate) fn knowing(self, admissibility: Arc<Admissibility>, remark: Option<String>) -> Self {
-        Search { admissibility: OnceCell::from(admissibility), remark, ..self }
+    pub(crate) fn knowing(self, admissibility: Arc<Admissibility>, remark: Option<String>, is_open: bool) -> Self {
+        Search { admissibility: OnceCell::from(admissibility), remark, is_open, ..self }
     }
 
     /// The contact at the work of adhesion of one edge; `scene` is that of the edge.
@@ -137,7 +146,8 @@ impl<'s> Search<'s> {
             SearchQuality::Resolved => "searched over all radii in f64",
             SearchQuality::Doubtful => "searched in f64, and not resolved everywhere: folds may be missing",
         };
-        Ok(not_proved(&format!("{why}{}", self.remark.as_deref().unwrap_or_default())))
+        let complete = not_proved(&format!("{why}{}", self.remark.as_deref().unwrap_or_default()));
+        Ok(Completeness { undecided: self.is_open, ..complete })
     }
 }
 

@@ -34,6 +34,8 @@ struct Costs {
     form: u64,
     /// An operation of a formula; a function is twenty.
     operation: u64,
+    /// A wave on a paraboloid, which has Bessel functions beside a square.
+    wavy: u64,
     /// Whether integrals over it are bounded on complex sets.
     is_complex: bool,
     /// The share of one row in an integral over a table.
@@ -46,13 +48,15 @@ impl Costs {
     fn of(arithmetic: usize, bits: u64) -> Self {
         // Enclosures are twice as dear as numbers of the same bits, those with a slope three times.
         let times = match arithmetic {
-            0 => return Costs { form: 150, operation: 8, is_complex: false, row: 20, clustered: true },
+            0 => return Costs { form: 150, operation: 8, wavy: 650, is_complex: false, row: 20, clustered: true },
             1 => 2,
             _ => 3,
         };
         let size = bits * bits / 8000;
+        let form = times * (1500 + 25 * bits + 10 * size);
         Costs {
-            form: times * (1500 + 25 * bits + 10 * size),
+            form,
+            wavy: 3 * form / 2,
             operation: times * (60 + bits / 5 + size),
             is_complex: true,
             row: times * (1000 + 3 * bits),
@@ -62,7 +66,7 @@ impl Costs {
 
     fn of_profile(&self, profile: &Profile) -> u64 {
         match profile {
-            Profile::Shape(Shape::WavyParaboloid { .. }) => 3 * self.form,
+            Profile::Shape(Shape::WavyParaboloid { .. }) => self.wavy,
             Profile::Shape(_) | Profile::Wave(_) => self.form,
             Profile::Sum(terms) => terms.iter().map(|term| self.of_profile(term)).sum(),
             Profile::Formula(formula) => {
@@ -77,5 +81,25 @@ impl Costs {
     /// The rows whose shares take as long as those of a table of `rows`: the near ones, and some for each level of clusters.
     fn rows(&self, rows: u64) -> u64 {
         if self.clustered { rows.min(24 + 5 * u64::from(rows.max(1).ilog2())) } else { rows }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use mdr_core::contact::Shape;
+
+    use super::*;
+
+    /// Measured: Bessel functions are dear in doubles, and over enclosures a wave takes as long as one and a half of other forms.
+    #[test]
+    fn a_wave_weighs_what_it_takes() {
+        let [one, length] = [1, 2].map(mdr_core::number::Literal::from);
+        let wave =
+            Profile::Shape(Shape::WavyParaboloid { radius: one.clone(), amplitude: one.clone(), wavelength: length });
+        let ball = Profile::Shape(Shape::Paraboloid { radius: one });
+        for (arithmetic, bits, least, most) in [(0, 53, 4.0, 5.0), (1, 64, 1.4, 1.6), (2, 128, 1.4, 1.6)] {
+            let ratio = weight(&wave, arithmetic, bits) as f64 / weight(&ball, arithmetic, bits) as f64;
+            assert!(ratio > least && ratio < most, "{arithmetic}: {ratio}");
+        }
     }
 }

@@ -401,6 +401,7 @@ fn examples() {
         let answer = Scene::open(folder.join(format!("{name}.toml"))).and_then(|scene| scene.solve());
         let path = answer.unwrap_or_else(|why| panic!("{why}"));
         assert!(path.path().expect("wanted").events.items.len() > 2, "{name}");
+        assert!(!path.to_json().contains("undecided"), "{name}");
     }
 }
 

@@ -2,7 +2,8 @@
 //! f is lowest.
 //!
 //! With r = x sin θ the transform is g(x) = x ∫ f'(r) dθ over (0, π/2), and g'(x) = ∫ (r f')' dθ. So g falls nowhere where
-//! r f' does not: f' + r f'' ≥ 0 on cells that cover all radii, and f' jumps upwards at every kink. Separated surfaces
+//! r f' does not: f' + r f'' ≥ 0 on cells that cover all radii, and f' jumps upwards at every kink; some formulas
+//! tell it by their form. Separated surfaces
 //! first touch at min f, which is isolated by bisection with f, f' and f'' on each cell. Where terms of f
 //! cancel next to the axis, as those of exp(r²) − 1 − r² do, derivatives of higher orders decide there.
 
@@ -69,7 +70,8 @@ impl Expression {
         let end = outer.clone().unwrap_or_else(|| Float::with_val(BITS, SEARCHED.1));
         let budget = BUDGET.min((OPERATIONS / self.operations().max(1)) as usize);
         let cells = Cells { root: root.bound(Precision::new(BITS)), end, bounded: outer.is_some(), budget };
-        let rises = cells.rise_from(Float::with_val(BITS, SEARCHED.0))
+        let rises = root.is_convex_by_form()
+            || cells.rise_from(Float::with_val(BITS, SEARCHED.0))
             || cells.rising_tip(&root).is_some_and(|tip| cells.rise_from(tip));
         // r f' does not fall and begins at zero, so f rises from the tip.
         let lowest = if rises { Lowest::Tip } else { cells.lowest(&root) };

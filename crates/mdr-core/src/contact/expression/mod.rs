@@ -3,6 +3,8 @@
 #[cfg(feature = "mp")]
 mod breaks;
 #[cfg(feature = "mp")]
+mod convex;
+#[cfg(feature = "mp")]
 mod enclosed;
 #[cfg(feature = "mp")]
 mod jet;
