@@ -7,7 +7,7 @@ use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Edge, FoldKind, Regime, Result, Status};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
-use mdr_core::number::{Precision, certify::Enclosure};
+use mdr_core::number::{Interval, Precision, certify::Enclosure};
 use mdr_numeric::admissible::{Admissibility, GapVerdict};
 #[cfg(feature = "mp")]
 use mdr_numeric::proof::EnclosedCurve;
@@ -204,18 +204,26 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
             Ok(record(&enclosed.value, curve.refine(fold)?))
         });
         match refined {
-            // As many digits as were known before.
+            // As many digits as are known already.
             Err(contact::Error::BudgetSpent { .. }) => {
-                let first = start(certified.digits);
-                decide_within(1, first, certified.digits, |_| {
-                    Ok(record(&curves.at(first)?.enclosed.value, fold.clone()))
-                })
+                let digits = digits_of(fold).min(certified.digits);
+                let first = start(digits);
+                decide_within(1, first, digits, |_| Ok(record(&curves.at(first)?.enclosed.value, fold.clone())))
             }
             refined => refined,
         }
     });
     let items = decided.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect();
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
+}
+
+/// The digits to which all quantities of a fold are enclosed.
+#[cfg(feature = "mp")]
+fn digits_of(fold: &contact::Fold<Interval>) -> u32 {
+    let bits = [&fold.contact_radius, &fold.indentation, &fold.force].map(Interval::accuracy_bits).into_iter().min();
+    // The last one may be a tie.
+    let digits = bits.unwrap_or(0).clamp(0, 1 << 20) as f64 * std::f64::consts::LOG10_2 - 1.0;
+    (digits as u32).max(1)
 }
 
 /// The curve over enclosures in each precision that has been needed.

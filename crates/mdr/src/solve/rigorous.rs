@@ -195,14 +195,13 @@ pub(crate) struct Described<T: Numbers<Enclosure>> {
 ///
 /// # Errors
 /// Errors of the transform; a value out of its domain.
-pub(crate) fn described<T: Numbers<Enclosure>>(
+pub(crate) fn described<T: Numbers<Enclosure> + Clone>(
     certified: &Certified<'_>,
     is_enclosed: bool,
     values: &[Literal],
     describe: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
 ) -> Result<Option<Printed<T>>>
 where
-    T: Clone,
     Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
 {
     let none = |_: &Proved<'_>, _: &Equilibrium<Interval>, _, error: &Error| Err(error.clone());
@@ -214,7 +213,7 @@ where
 ///
 /// # Errors
 /// Errors of the transform; a value out of its domain.
-pub(crate) fn described_in_part<T: Numbers<Enclosure>>(
+pub(crate) fn described_in_part<T: Numbers<Enclosure> + Clone>(
     certified: &Certified<'_>,
     is_enclosed: bool,
     values: &[Literal],
@@ -222,7 +221,6 @@ pub(crate) fn described_in_part<T: Numbers<Enclosure>>(
     open: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>, &Error) -> Result<T>,
 ) -> Result<Described<T>>
 where
-    T: Clone,
     Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
 {
     let scene = certified.scene;

@@ -86,3 +86,23 @@ impl Costs {
         if self.clustered { rows.min(24 + 5 * u64::from(rows.max(1).ilog2())) } else { rows }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use mdr_core::contact::Shape;
+
+    use super::*;
+
+    /// Measured: Bessel functions are dear in doubles, and over enclosures a wave takes as long as one and a half of other forms.
+    #[test]
+    fn a_wave_weighs_what_it_takes() {
+        let [one, length] = [1, 2].map(mdr_core::number::Literal::from);
+        let wave =
+            Profile::Shape(Shape::WavyParaboloid { radius: one.clone(), amplitude: one.clone(), wavelength: length });
+        let ball = Profile::Shape(Shape::Paraboloid { radius: one });
+        for (arithmetic, bits, least, most) in [(0, 53, 4.0, 5.0), (2, 64, 1.4, 1.6), (3, 128, 1.4, 1.6)] {
+            let ratio = weight(&wave, arithmetic, bits) as f64 / weight(&ball, arithmetic, bits) as f64;
+            assert!(ratio > least && ratio < most, "{arithmetic}: {ratio}");
+        }
+    }
+}
