@@ -321,18 +321,27 @@ fn solved_within(text: &str, seconds: f64) -> Value {
     serde_json::from_str(&answer.unwrap().to_json()).unwrap()
 }
 
-/// Folds that a search has found are there when the budget does not suffice to sharpen them.
+/// Folds that a search has found are there when the budget does not suffice to prove them.
 #[test]
-fn folds_that_are_not_sharpened_are_doubles() {
-    let wave = formula("r^2/2 + 0.01*(1 - cos(20*r))", "output = { want = [\"folds\"], digits = 300 }");
-    let answer = solved_within(&wave, 0.7);
+fn folds_that_are_not_proved_are_doubles() {
+    let answer = solved_within(&formula("1 - cos(r)", "output = { want = [\"folds\"] }"), 4.9);
     assert_eq!(answer["promise"]["folds"], "f64", "{answer}");
     assert_eq!(answer["complete"]["folds"]["undecided"], true, "{answer}");
     let why = answer["complete"]["folds"]["why"].as_str().unwrap();
-    assert!(why.contains("not sharpened") && why.contains("budget"), "{why}");
-    // The fold of F at this modulus, to the digits of a double.
-    let force = answer["folds"][0]["force"].as_f64().unwrap();
-    assert!((force / -0.000_052_831_514_190_849_78 - 1.0).abs() < 1e-9, "{answer}");
+    assert!(why.contains("a proof was begun, and left undecided"), "{why}");
+    // The one of the paraboloid r²/2 at w/E* = 1e-4, nearly: πwR/3 of the force at the pull-off in depth is 5/6.
+    let folds = answer["folds"].as_array().unwrap();
+    let jkr = -std::f64::consts::PI * 1e-4 * 5.0 / 6.0;
+    assert!(folds.len() > 100 && (folds[0]["force"].as_f64().unwrap() / jkr - 1.0).abs() < 1e-3, "{}", folds[0]);
+}
+
+/// Of folds that are proved, but not to all digits, those that are known are printed.
+#[test]
+fn proved_folds_have_the_digits_that_the_budget_allows() {
+    let wave = formula("r^2/2 + 0.01*(1 - cos(20*r))", "output = { want = [\"folds\"], digits = 300 }");
+    let answer = solved_within(&wave, 0.9);
+    let radius = answer["folds"][0]["contact_radius"].as_str().expect("digits");
+    assert!(radius.starts_with("0.01170028112263") && answer["promise"]["folds"] == "certified", "{answer}");
 }
 
 /// Folds that are proved stand when the budget is spent before all radii were looked at.
@@ -341,13 +350,12 @@ fn folds_that_are_proved_outlast_the_budget() {
     let text = "material = { e_star = \"1e6\", work_of_adhesion = \"0.05\" }
         profile = { kind = \"wavy-paraboloid\", radius = 1, amplitude = \"1e-8\", wavelength = \"1e-4\" }
         output = { want = [\"folds\"] }";
-    let [all, part] = [10.0, 0.15].map(|seconds| solved_within(text, seconds));
+    let [all, part] = [10.0, 0.06].map(|seconds| solved_within(text, seconds));
     let [all_folds, folds] = [&all, &part].map(|answer| answer["folds"].as_array().unwrap());
     assert!(all["complete"]["folds"]["proved"] == true && part["complete"]["folds"]["undecided"] == true);
     assert!(!folds.is_empty() && folds.len() < all_folds.len(), "{} of {}", folds.len(), all_folds.len());
-    for (one, other) in folds.iter().zip(all_folds) {
-        assert_eq!(one["contact_radius"], other["contact_radius"]);
-    }
+    let is_known = |fold: &Value| all_folds.iter().any(|other| other["contact_radius"] == fold["contact_radius"]);
+    assert!(folds.iter().all(is_known), "{part}");
     assert!(part["complete"]["folds"]["why"].as_str().unwrap().contains("the budget was spent before"), "{part}");
 }
 

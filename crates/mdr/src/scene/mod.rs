@@ -16,6 +16,7 @@ pub(crate) mod parse;
 pub(crate) mod place;
 mod profile;
 mod read;
+mod tip;
 pub(crate) mod tree;
 mod want;
 

@@ -133,7 +133,7 @@ impl<'s> Certified<'s> {
     /// A number that no double holds; errors of the search.
     pub(crate) fn plain(&self) -> Result<&Search<'s>> {
         once(&self.plain, || {
-            let is_open = matches!(self.folds.get(), Some(Err(Error::BudgetSpent { .. })));
+            let is_open = matches!(self.folds.get(), Some(Err(_) | Ok(None)));
             Ok(self.search()?.in_units(self.counts)?.knowing(self.admissibility()?, self.remark(), is_open))
         })
     }
@@ -149,6 +149,7 @@ impl<'s> Certified<'s> {
                     "; the budget was spent before this was proved, and a larger one may decide it".to_owned(),
                 );
             }
+            Ok(None) => return Some("; a proof was begun, and left undecided".to_owned()),
             folds => folds.as_ref().ok()?.as_ref()?,
         };
         let [from, to] = [&folds.complete.from, &folds.complete.to].map(|end| end.as_deref().unwrap_or("infinity"));

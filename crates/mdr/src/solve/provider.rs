@@ -38,7 +38,11 @@ impl Provider<'_, '_> {
             #[cfg(feature = "mp")]
             Provider::Law(law) => room.by_law(law),
             #[cfg(feature = "mp")]
-            Provider::Proof(certified) => room.proved(certified),
+            // What f64 has found before is left.
+            Provider::Proof(certified) => match room.proved(certified) {
+                Err(Error::BudgetSpent { .. }) => Ok(None),
+                output => output,
+            },
             #[cfg(feature = "mp")]
             Provider::Search(search) => match room.searched(search) {
                 Err(Error::OutOfRange { .. }) => Ok(None),

@@ -195,14 +195,13 @@ pub(crate) struct Described<T: Numbers<Enclosure>> {
 ///
 /// # Errors
 /// Errors of the transform; a value out of its domain.
-pub(crate) fn described<T: Numbers<Enclosure>>(
+pub(crate) fn described<T: Numbers<Enclosure> + Clone>(
     certified: &Certified<'_>,
     is_enclosed: bool,
     values: &[Literal],
     describe: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>) -> Result<T>,
 ) -> Result<Option<Printed<T>>>
 where
-    T: Clone,
     Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
 {
     let none = |_: &Proved<'_>, _: &Equilibrium<Interval>, _, error: &Error| Err(error.clone());
@@ -214,7 +213,7 @@ where
 ///
 /// # Errors
 /// Errors of the transform; a value out of its domain.
-pub(crate) fn described_in_part<T: Numbers<Enclosure>>(
+pub(crate) fn described_in_part<T: Numbers<Enclosure> + Clone>(
     certified: &Certified<'_>,
     is_enclosed: bool,
     values: &[Literal],
@@ -222,7 +221,6 @@ pub(crate) fn described_in_part<T: Numbers<Enclosure>>(
     open: impl Fn(&Proved<'_>, &Equilibrium<Interval>, PlainState<Enclosure>, &Error) -> Result<T>,
 ) -> Result<Described<T>>
 where
-    T: Clone,
     Vec<AtValue<T>>: Numbers<Enclosure, With<Number> = Vec<AtValue<T::With<Number>>>>,
 {
     let scene = certified.scene;
@@ -251,17 +249,12 @@ where
                 Ok(record)
             })
         };
-        let at = |literal: &Literal| {
-            let value = enclosed.value.number(literal);
-            let states = match values {
-                [] => first(&enclosed.value, &branches, scene, &value)?.into_iter().collect(),
-                _ => branches.equilibria(&value)?,
-            };
-            let records = states.into_iter().map(|state| one(state, literal)).collect::<Result<Vec<_>>>()?;
-            Ok(AtValue::new(literal, records))
-        };
-        let start = scene.path.first().filter(|_| values.is_empty());
-        let records = values.iter().chain(start).map(at).collect::<Result<Vec<_>>>()?;
+        let mut records = Vec::new();
+        for literal in values.iter().chain(scene.path.first().filter(|_| values.is_empty())) {
+            let states = states_at(&enclosed.value, &branches, scene, values, literal)?;
+            let states = states.into_iter().map(|state| one(state, literal));
+            records.push(AtValue::new(literal, states.collect::<Result<_>>()?));
+        }
         let Some(error) = left_open.first().cloned() else { return Ok(records) };
         if part.as_ref().is_none_or(|(open, _)| *open >= left_open.len()) {
             part = Some((left_open.len(), records));
@@ -276,6 +269,21 @@ where
     let printed = || decide_within(1, start(certified.digits), certified.digits, |_| Ok(records.clone()));
     let some = if all.is_none() { Some(printed()?) } else { None };
     Ok(Described { all, some })
+}
+
+/// The states at one of the values, or without values that in which the path starts.
+fn states_at(
+    model: &Model<Interval>,
+    branches: &ProvedBranches,
+    scene: &Scene,
+    values: &[Literal],
+    literal: &Literal,
+) -> Result<Vec<Equilibrium<Interval>>> {
+    let value = model.number(literal);
+    match values {
+        [] => Ok(first(model, branches, scene, &value)?.into_iter().collect()),
+        _ => branches.equilibria(&value),
+    }
 }
 
 /// Whether an error leaves other states as they are.
