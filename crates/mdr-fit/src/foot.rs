@@ -95,7 +95,8 @@ impl Arc {
             *if excess > 0.0 { &mut high } else { &mut low } = s;
             let step = excess / tangent[0];
             let next = s - step;
-            if bend * step * step <= LEFT * s * tangent[0] && next > low && next < high {
+            // A step below the rounding of s stays at an end of the bracket.
+            if bend * step * step <= LEFT * s * tangent[0] && next >= low && next <= high {
                 return Ok(Place { s: next, y: at[1] - tangent[1] * step, tangent });
             }
             if excess == 0.0 || high - low <= 4.0 * f64::EPSILON * s {
