@@ -50,37 +50,62 @@ struct Place {
 }
 
 impl Arc {
-    /// The point to which a row is compared.
+    /// The point to which a row is compared. X of the row is looked for first in the segment before the sample `near`, which becomes that
+    /// of the row: rows are mostly beside those before them.
     ///
     /// # Errors
     /// Errors of the transform.
-    pub(super) fn foot(&self, contact: &Contact<'_, f64>, row: [f64; 2], scales: &Scales) -> Result<Foot> {
+    pub(super) fn foot(
+        &self,
+        contact: &Contact<'_, f64>,
+        row: [f64; 2],
+        scales: &Scales,
+        near: &mut usize,
+    ) -> Result<Foot> {
         match scales.x {
-            None => self.vertical_foot(contact, row, scales),
+            None => self.vertical_foot(contact, row, scales, near),
             Some(x) => self.nearest(contact, row, [x, scales.y]),
         }
     }
 
-    fn vertical_foot(&self, contact: &Contact<'_, f64>, row: [f64; 2], scales: &Scales) -> Result<Foot> {
+    fn vertical_foot(
+        &self,
+        contact: &Contact<'_, f64>,
+        row: [f64; 2],
+        scales: &Scales,
+        near: &mut usize,
+    ) -> Result<Foot> {
         let [lower, upper] = self.ends();
         if !(row[0] > lower.at[0] && row[0] < upper.at[0]) {
             let end = if row[0] <= lower.at[0] { lower } else { upper };
             return Ok(foot_at_end(end, row, [scales.beyond, scales.y]));
         }
-        let Place { s, y, tangent } = self.at(contact, row[0])?;
+        let Place { s, y, tangent } = self.at(contact, row[0], near)?;
         let weights = [-tangent[1] / tangent[0] / scales.y, 1.0 / scales.y];
         Ok(Foot { s, residual: (y - row[1]) / scales.y, weights, is_end: false })
     }
 
     /// Where X is `x`, between the ends of the arc.
     pub(super) fn parameter(&self, contact: &Contact<'_, f64>, x: f64) -> Result<f64> {
-        self.at(contact, x).map(|place| place.s)
+        self.at(contact, x, &mut 0).map(|place| place.s)
     }
 
-    /// The place at which X is `x`, between the ends of the arc, by Newton's method within a bracket.
-    fn at(&self, contact: &Contact<'_, f64>, x: f64) -> Result<Place> {
-        let after = self.samples.partition_point(|sample| sample.at[0] <= x).clamp(1, self.samples.len() - 1);
-        let [before, after] = [&self.samples[after - 1], &self.samples[after]];
+    /// The sample after X: that which is `near`, if it is.
+    fn after(&self, x: f64, near: usize) -> usize {
+        let is_here = |place: usize| {
+            let (before, after) = (self.samples.get(place.wrapping_sub(1)), self.samples.get(place));
+            before.zip(after).is_some_and(|(before, after)| before.at[0] <= x && x < after.at[0])
+        };
+        if is_here(near) {
+            return near;
+        }
+        self.samples.partition_point(|sample| sample.at[0] <= x).clamp(1, self.samples.len() - 1)
+    }
+
+    /// The place at which X is `x`, between the ends of the arc, by Newton's method within a bracket; `near` is the sample after it.
+    fn at(&self, contact: &Contact<'_, f64>, x: f64, near: &mut usize) -> Result<Place> {
+        *near = self.after(x, *near);
+        let [before, after] = [&self.samples[*near - 1], &self.samples[*near]];
         let [mut low, mut high] = [before.s, after.s];
         // What a step leaves is the curvature of X times half the square of the step.
         let seen = 0.5 * ((after.tangent[0] - before.tangent[0]) / (high - low)).abs();
