@@ -292,3 +292,44 @@ fn guess(low: &Sample, high: &Sample, x: f64) -> f64 {
     };
     low.s + if t.is_finite() { t.clamp(0.0, 1.0) } else { share } * width
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::arcs;
+    use super::super::contact::{Numbers, Tip};
+    use super::super::observation::Observation;
+    use super::super::problem::Problem;
+    use super::*;
+    use mdr_core::contact::Shape;
+
+    #[test]
+    fn feet_do_not_depend_on_how_fine_an_arc_is() {
+        let tip = Shape::Paraboloid { radius: "1e-5" };
+        let x: Vec<f64> = (0..400).map(|index| 1.5e-6 - 5e-9 * f64::from(index)).collect();
+        let problem = Problem::new(tip, Observation::ForceOfIndentation, &x, &x).unwrap();
+        let mut numbers = Numbers::of(&problem, |_| 0.0, || 0.0);
+        (numbers.e_star, numbers.work, numbers.profile) = (2e6, 0.05, vec![1e-5]);
+        let tip = Tip::new(&problem, (), &numbers.profile, &[]).unwrap();
+        let contact = Contact::new(&tip, numbers, Observation::ForceOfIndentation);
+        let turns = arcs::turns(&contact).unwrap();
+        let [coarse, fine] = [1, 16].map(|fineness| arcs::arcs(&contact, &turns, [x[399], x[0]], fineness).unwrap());
+        let drawn = [&coarse[0], &fine[0]].map(|arc| arc.drawn().map(|sample| sample.s).collect::<Vec<_>>());
+        assert_eq!(drawn[0].len(), drawn[1].len());
+        assert!(drawn[0].iter().zip(&drawn[1]).all(|(one, other)| (one - other).abs() < 1e-13 * one));
+        let scales = Scales { x: None, y: 1e-8, beyond: 1e-9 };
+        let (mut near, mut compared) = ([0, 0], 0);
+        for x in x {
+            let [one, other] = [(&coarse, 0), (&fine, 1)]
+                .map(|(arcs, place)| arcs[0].foot(&contact, [x, 0.0], &scales, &mut near[place]).unwrap());
+            assert_eq!(one.is_end, other.is_end, "{x}");
+            if one.is_end {
+                continue;
+            }
+            assert!((contact.point(&one.s).unwrap().at[0] - x).abs() < 1e-21, "{x}");
+            assert!((one.s - other.s).abs() < 1e-13 * one.s, "{x}: {} and {}", one.s, other.s);
+            assert!((one.residual - other.residual).abs() < 1e-9, "{x}");
+            compared += 1;
+        }
+        assert!(compared > 300, "{compared}");
+    }
+}

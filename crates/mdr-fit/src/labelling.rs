@@ -30,7 +30,7 @@ impl Objective<'_> {
             let contact = sheet.contact(&evaluation.tip, observation);
             let turns = self.turns(&contact, before.and_then(|before| before.get(index)).map(Vec::as_slice))?;
             if index == 0 {
-                let arcs = arcs::arcs(&contact, &turns, range)?;
+                let arcs = arcs::arcs(&contact, &turns, range, self.fineness())?;
                 evaluation.sheets.push(Sheet { arcs, ..sheet });
             }
             evaluation.turns.push(turns);
@@ -74,7 +74,7 @@ impl Objective<'_> {
         };
         let contact = sheet.contact(&evaluation.tip, self.problem.observation);
         let turns = arcs::up_to_edge(&contact, evaluation.turns.get(1).map_or(&[], Vec::as_slice))?;
-        sheet.arcs = arcs::arcs(&contact, &turns, range)?;
+        sheet.arcs = arcs::arcs(&contact, &turns, range, self.fineness())?;
         Ok(sheet)
     }
 
