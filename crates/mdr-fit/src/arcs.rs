@@ -8,7 +8,7 @@ use super::foot::Foot;
 use super::observation::Observation;
 use super::problem::Kind;
 
-/// How many points of an arc a search begins with.
+/// How many points an arc is drawn with; a search begins with so many, or with more between them.
 const SAMPLES: usize = 48;
 
 /// The smallest radius of these points after the first, against the largest.
@@ -87,11 +87,11 @@ pub(super) fn followed(contact: &Contact<'_, f64>, turns: &[Turn]) -> Option<Vec
     followed.windows(2).all(|pair| pair[0].s < pair[1].s).then_some(followed)
 }
 
-/// The arcs that reach into the range of X, the innermost first.
+/// The arcs that reach into the range of X, the innermost first, with `fineness` segments from one point that is drawn to the next.
 ///
 /// # Errors
 /// Errors of the transform.
-pub(super) fn arcs(contact: &Contact<'_, f64>, turns: &[Turn], x: [f64; 2]) -> Result<Vec<Arc>> {
+pub(super) fn arcs(contact: &Contact<'_, f64>, turns: &[Turn], x: [f64; 2], fineness: usize) -> Result<Vec<Arc>> {
     let mut arcs: Vec<Arc> = Vec::new();
     let mut lower: Option<&Turn> = None;
     let rises_first = match turns.first() {
@@ -103,7 +103,7 @@ pub(super) fn arcs(contact: &Contact<'_, f64>, turns: &[Turn], x: [f64; 2]) -> R
         match turn.kind {
             FoldKind::Minimum => (lower, open) = (Some(turn), true),
             FoldKind::Maximum if open => {
-                arcs.push(Arc::sampled(contact, lower, Some(turn), x)?);
+                arcs.push(Arc::sampled(contact, [lower, Some(turn)], x, fineness)?);
                 (lower, open) = (None, false);
             }
             FoldKind::Maximum => {}
@@ -115,7 +115,7 @@ pub(super) fn arcs(contact: &Contact<'_, f64>, turns: &[Turn], x: [f64; 2]) -> R
         }
     }
     if open {
-        arcs.push(Arc::sampled(contact, lower, None, x)?);
+        arcs.push(Arc::sampled(contact, [lower, None], x, fineness)?);
     }
     if arcs.len() > 1 && arcs[arcs.len() - 1].samples[0].at[0] > x[1] {
         arcs.pop();
@@ -144,7 +144,12 @@ fn scale(contact: &Contact<'_, f64>) -> f64 {
 }
 
 impl Arc {
-    fn sampled(contact: &Contact<'_, f64>, lower: Option<&Turn>, upper: Option<&Turn>, x: [f64; 2]) -> Result<Arc> {
+    fn sampled(
+        contact: &Contact<'_, f64>,
+        [lower, upper]: [Option<&Turn>; 2],
+        x: [f64; 2],
+        fineness: usize,
+    ) -> Result<Arc> {
         // A pole and the end of a profile have no value.
         let inner = |turn: &Turn| if turn.is_fold { turn.s } else { turn.s * (1.0 + 1e-12) };
         let outer = |turn: &Turn| if turn.is_fold { turn.s } else { turn.s * (1.0 - 1e-12) };
@@ -162,11 +167,12 @@ impl Arc {
         let folds = [lower.is_some_and(|turn| turn.is_fold), upper.is_some_and(|turn| turn.is_fold && last == turn.s)];
         // Of a fold that is as good as the tip, with next to no adhesion, the rest of the arc is sampled.
         let from = first.max(NARROWEST * last);
-        let ratio = (last / from).ln() / (SAMPLES - 1) as f64;
+        let segments = fineness * (SAMPLES - 1);
+        let ratio = (last / from).ln() / segments as f64;
         let sample = |index: usize| {
             let s = match index {
                 0 => first,
-                index if index + 1 == SAMPLES => last,
+                index if index == segments => last,
                 index => from * (ratio * index as f64).exp(),
             };
             let Point { at, mut tangent, .. } = contact.point(&s)?;
@@ -175,11 +181,16 @@ impl Arc {
             }
             Ok(Sample { s, at, tangent })
         };
-        Ok(Arc { folds, samples: (0..SAMPLES).map(sample).collect::<Result<_>>()? })
+        Ok(Arc { folds, samples: (0..=segments).map(sample).collect::<Result<_>>()? })
     }
 
     pub(super) fn ends(&self) -> [&Sample; 2] {
         [&self.samples[0], &self.samples[self.samples.len() - 1]]
+    }
+
+    /// The points that are drawn.
+    pub(super) fn drawn(&self) -> impl Iterator<Item = &Sample> {
+        self.samples.iter().step_by((self.samples.len() - 1) / (SAMPLES - 1))
     }
 
     /// Its inner end, where it is a fold.

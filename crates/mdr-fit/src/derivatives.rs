@@ -48,6 +48,7 @@ impl Objective<'_> {
         let mut jacobian = DMatrix::zeros(evaluation.residuals.len(), moving.len());
         let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
         let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
+        let has_trends = evaluation.numbers.trends != [0.0; 3] || kinds.iter().any(|kind| kind.is_trend());
         for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
             let Some(foot) = foot else {
                 let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
@@ -67,9 +68,12 @@ impl Objective<'_> {
                 if is_pinned && !foot.is_end && *kind == Kind::Work(Edge::Receding) {
                     continue;
                 }
-                let [x, y] = arc.partial(contact, *kind, foot, &point)?;
-                let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, row);
-                jacobian[(index, column)] = slope * (foot.weights[0] * (x + more_x) + foot.weights[1] * (y + more_y));
+                let mut partial = arc.partial(contact, *kind, foot, &point)?;
+                if has_trends {
+                    let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, row);
+                    partial = [partial[0] + more_x, partial[1] + more_y];
+                }
+                jacobian[(index, column)] = slope * (foot.weights[0] * partial[0] + foot.weights[1] * partial[1]);
             }
         }
         let mut index = self.rows.len();

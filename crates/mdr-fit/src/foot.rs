@@ -50,37 +50,62 @@ struct Place {
 }
 
 impl Arc {
-    /// The point to which a row is compared.
+    /// The point to which a row is compared. X of the row is looked for first in the segment before the sample `near`, which becomes that
+    /// of the row: rows are mostly beside those before them.
     ///
     /// # Errors
     /// Errors of the transform.
-    pub(super) fn foot(&self, contact: &Contact<'_, f64>, row: [f64; 2], scales: &Scales) -> Result<Foot> {
+    pub(super) fn foot(
+        &self,
+        contact: &Contact<'_, f64>,
+        row: [f64; 2],
+        scales: &Scales,
+        near: &mut usize,
+    ) -> Result<Foot> {
         match scales.x {
-            None => self.vertical_foot(contact, row, scales),
+            None => self.vertical_foot(contact, row, scales, near),
             Some(x) => self.nearest(contact, row, [x, scales.y]),
         }
     }
 
-    fn vertical_foot(&self, contact: &Contact<'_, f64>, row: [f64; 2], scales: &Scales) -> Result<Foot> {
+    fn vertical_foot(
+        &self,
+        contact: &Contact<'_, f64>,
+        row: [f64; 2],
+        scales: &Scales,
+        near: &mut usize,
+    ) -> Result<Foot> {
         let [lower, upper] = self.ends();
         if !(row[0] > lower.at[0] && row[0] < upper.at[0]) {
             let end = if row[0] <= lower.at[0] { lower } else { upper };
             return Ok(foot_at_end(end, row, [scales.beyond, scales.y]));
         }
-        let Place { s, y, tangent } = self.at(contact, row[0])?;
+        let Place { s, y, tangent } = self.at(contact, row[0], near)?;
         let weights = [-tangent[1] / tangent[0] / scales.y, 1.0 / scales.y];
         Ok(Foot { s, residual: (y - row[1]) / scales.y, weights, is_end: false })
     }
 
     /// Where X is `x`, between the ends of the arc.
     pub(super) fn parameter(&self, contact: &Contact<'_, f64>, x: f64) -> Result<f64> {
-        self.at(contact, x).map(|place| place.s)
+        self.at(contact, x, &mut 0).map(|place| place.s)
     }
 
-    /// The place at which X is `x`, between the ends of the arc, by Newton's method within a bracket.
-    fn at(&self, contact: &Contact<'_, f64>, x: f64) -> Result<Place> {
-        let after = self.samples.partition_point(|sample| sample.at[0] <= x).clamp(1, self.samples.len() - 1);
-        let [before, after] = [&self.samples[after - 1], &self.samples[after]];
+    /// The sample after X: that which is `near`, if it is.
+    fn after(&self, x: f64, near: usize) -> usize {
+        let is_here = |place: usize| {
+            let (before, after) = (self.samples.get(place.wrapping_sub(1)), self.samples.get(place));
+            before.zip(after).is_some_and(|(before, after)| before.at[0] <= x && x < after.at[0])
+        };
+        if is_here(near) {
+            return near;
+        }
+        self.samples.partition_point(|sample| sample.at[0] <= x).clamp(1, self.samples.len() - 1)
+    }
+
+    /// The place at which X is `x`, between the ends of the arc, by Newton's method within a bracket; `near` is the sample after it.
+    fn at(&self, contact: &Contact<'_, f64>, x: f64, near: &mut usize) -> Result<Place> {
+        *near = self.after(x, *near);
+        let [before, after] = [&self.samples[*near - 1], &self.samples[*near]];
         let [mut low, mut high] = [before.s, after.s];
         // What a step leaves is the curvature of X times half the square of the step.
         let seen = 0.5 * ((after.tangent[0] - before.tangent[0]) / (high - low)).abs();
@@ -95,7 +120,8 @@ impl Arc {
             *if excess > 0.0 { &mut high } else { &mut low } = s;
             let step = excess / tangent[0];
             let next = s - step;
-            if bend * step * step <= LEFT * s * tangent[0] && next > low && next < high {
+            // A step below the rounding of s stays at an end of the bracket.
+            if bend * step * step <= LEFT * s * tangent[0] && next >= low && next <= high {
                 return Ok(Place { s: next, y: at[1] - tangent[1] * step, tangent });
             }
             if excess == 0.0 || high - low <= 4.0 * f64::EPSILON * s {
@@ -265,4 +291,45 @@ fn guess(low: &Sample, high: &Sample, x: f64) -> f64 {
         2.0 * share / (start + (start * start + 4.0 * (1.0 - start) * share).sqrt())
     };
     low.s + if t.is_finite() { t.clamp(0.0, 1.0) } else { share } * width
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::arcs;
+    use super::super::contact::{Numbers, Tip};
+    use super::super::observation::Observation;
+    use super::super::problem::Problem;
+    use super::*;
+    use mdr_core::contact::Shape;
+
+    #[test]
+    fn feet_do_not_depend_on_how_fine_an_arc_is() {
+        let tip = Shape::Paraboloid { radius: "1e-5" };
+        let x: Vec<f64> = (0..400).map(|index| 1.5e-6 - 5e-9 * f64::from(index)).collect();
+        let problem = Problem::new(tip, Observation::ForceOfIndentation, &x, &x).unwrap();
+        let mut numbers = Numbers::of(&problem, |_| 0.0, || 0.0);
+        (numbers.e_star, numbers.work, numbers.profile) = (2e6, 0.05, vec![1e-5]);
+        let tip = Tip::new(&problem, (), &numbers.profile, &[]).unwrap();
+        let contact = Contact::new(&tip, numbers, Observation::ForceOfIndentation);
+        let turns = arcs::turns(&contact).unwrap();
+        let [coarse, fine] = [1, 16].map(|fineness| arcs::arcs(&contact, &turns, [x[399], x[0]], fineness).unwrap());
+        let drawn = [&coarse[0], &fine[0]].map(|arc| arc.drawn().map(|sample| sample.s).collect::<Vec<_>>());
+        assert_eq!(drawn[0].len(), drawn[1].len());
+        assert!(drawn[0].iter().zip(&drawn[1]).all(|(one, other)| (one - other).abs() < 1e-13 * one));
+        let scales = Scales { x: None, y: 1e-8, beyond: 1e-9 };
+        let (mut near, mut compared) = ([0, 0], 0);
+        for x in x {
+            let [one, other] = [(&coarse, 0), (&fine, 1)]
+                .map(|(arcs, place)| arcs[0].foot(&contact, [x, 0.0], &scales, &mut near[place]).unwrap());
+            assert_eq!(one.is_end, other.is_end, "{x}");
+            if one.is_end {
+                continue;
+            }
+            assert!((contact.point(&one.s).unwrap().at[0] - x).abs() < 1e-21, "{x}");
+            assert!((one.s - other.s).abs() < 1e-13 * one.s, "{x}: {} and {}", one.s, other.s);
+            assert!((one.residual - other.residual).abs() < 1e-9, "{x}");
+            compared += 1;
+        }
+        assert!(compared > 300, "{compared}");
+    }
 }

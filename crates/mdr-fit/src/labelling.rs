@@ -30,7 +30,7 @@ impl Objective<'_> {
             let contact = sheet.contact(&evaluation.tip, observation);
             let turns = self.turns(&contact, before.and_then(|before| before.get(index)).map(Vec::as_slice))?;
             if index == 0 {
-                let arcs = arcs::arcs(&contact, &turns, range)?;
+                let arcs = arcs::arcs(&contact, &turns, range, self.fineness())?;
                 evaluation.sheets.push(Sheet { arcs, ..sheet });
             }
             evaluation.turns.push(turns);
@@ -74,7 +74,7 @@ impl Objective<'_> {
         };
         let contact = sheet.contact(&evaluation.tip, self.problem.observation);
         let turns = arcs::up_to_edge(&contact, evaluation.turns.get(1).map_or(&[], Vec::as_slice))?;
-        sheet.arcs = arcs::arcs(&contact, &turns, range)?;
+        sheet.arcs = arcs::arcs(&contact, &turns, range, self.fineness())?;
         Ok(sheet)
     }
 
@@ -98,9 +98,11 @@ impl Objective<'_> {
         // Level 0 is detached, each other that of an arc.
         let mut costs = vec![f64::INFINITY; arcs.len() + 1];
         let mut cheapest = Cheapest::new(costs.len(), leg.len(), leg.first().map_or(Leg::Retract, |row| row.leg));
-        let mut found = vec![vec![None; leg.len()]; arcs.len().max(1)];
+        let mut found: Vec<Vec<Option<Foot>>> = (0..arcs.len().max(1)).map(|_| Vec::with_capacity(leg.len())).collect();
+        let mut near = vec![0; arcs.len()];
         for (index, row) in leg.iter().enumerate() {
             costs.fill(f64::INFINITY);
+            found.iter_mut().for_each(|feet| feet.push(None));
             let scales = self.scales(row);
             let place = contact.numbers.untrended(row);
             let held = self.at_fold.iter().find(|held| held.row == first + index && held.beyond == 0.0);
@@ -117,8 +119,9 @@ impl Objective<'_> {
                 costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
             }
             if self.can_be(row, false) {
-                for (arc, (cost, feet)) in arcs.iter().zip(costs[1..].iter_mut().zip(&mut found)) {
-                    let foot = arc.foot(contact, place, &scales)?;
+                for ((arc, near), (cost, feet)) in arcs.iter().zip(&mut near).zip(costs[1..].iter_mut().zip(&mut found))
+                {
+                    let foot = arc.foot(contact, place, &scales, near)?;
                     *cost = self.loss(foot.residual)[0].powi(2);
                     feet[index] = Some(foot);
                 }

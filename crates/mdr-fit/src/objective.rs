@@ -34,6 +34,11 @@ pub(super) struct Objective<'p> {
     searched: RefCell<Vec<([f64; 3], Vec<Turn>)>>,
 }
 
+/// The rows from which on a record is long, and the points of its arcs between two that are drawn: then the first guess for a row is as
+/// near as a step of Newton's method.
+const LONG: usize = 10_000;
+const FINER: usize = 16;
+
 /// How many searches for folds are kept: descents come back to where others began and ended.
 const SEARCHES: usize = 8;
 
@@ -322,6 +327,11 @@ impl<'p> Objective<'p> {
         searched.truncate(SEARCHES - 1);
         searched.insert(0, (key, turns.clone()));
         Ok(turns)
+    }
+
+    /// How many times as many points an arc has as it is drawn with: more where many rows look for their own with exact X.
+    pub(super) fn fineness(&self) -> usize {
+        if self.x_scale.is_none() && self.rows.len() >= LONG { FINER } else { 1 }
     }
 
     /// How many residuals there are: of the rows, of priors, of the pull-off, and of folds that are held.

@@ -69,7 +69,7 @@ pub(super) fn drawn(objective: &Objective<'_>, minimum: &Minimum) -> Result<Vec<
         let contact = evaluation.contact(objective.problem.observation, index);
         let point = |sample: &arcs::Sample| Ok([sample.at[0], sample.at[1], contact.point(&sample.s)?.a]);
         for arc in sheet.arcs.iter().rev() {
-            drawn.push(arc.samples.iter().map(point).collect::<Result<_>>()?);
+            drawn.push(arc.drawn().map(point).collect::<Result<_>>()?);
         }
     }
     Ok(drawn)
