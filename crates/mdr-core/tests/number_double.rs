@@ -1,6 +1,10 @@
 //! Intervals of doubles contain the truth, which enclosures of 300 bits hold; so do complex rectangles of them.
 
 #![cfg(feature = "mp")]
+#![allow(
+    clippy::clone_on_copy,
+    reason = "each function is written once for doubles and for enclosures, which are cloned"
+)]
 
 use mdr_core::number::{Analytic, DoubleInterval, Interval, Precision, Real, Rectangle, Special};
 use proptest::prelude::*;

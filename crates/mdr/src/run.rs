@@ -100,7 +100,7 @@ pub const BUDGET: f64 = 10.0;
 
 /// The unit of work is a nanosecond of a machine of 2024: solve/weight.rs says what an evaluation costs.
 const PER_SECOND: f64 = 1e9;
-/// So many rows have the budget of one scene.
+/// So many rows of a part have as much as the scene.
 const ROWS: usize = 64;
 /// The part of the budget, inverse, that is kept for later outputs: none is left without any.
 const KEPT: u64 = 4;
@@ -111,36 +111,44 @@ impl<'a> Run<'a> {
         Run { observer: Some(observer), stop, budget: None }
     }
 
-    /// The run with another [`BUDGET`] for the scene, all its outputs together, and so much more for each 64 rows of them. What is not
+    /// The run with another [`BUDGET`] for the scene, all its outputs together, and so much more for each 64 rows of a long one. What is not
     /// found within it is `undecided`.
     #[must_use]
     pub fn within(self, seconds: f64) -> Self {
         Run { budget: Some(seconds), ..self }
     }
 
-    /// The work for a scene with so many rows, for so many parts.
-    pub(crate) fn allowance(&self, rows: usize, parts: usize) -> Allowance {
-        let seconds = self.budget.unwrap_or(BUDGET) * (1 + rows / ROWS) as f64;
-        Allowance { work: (PER_SECOND * seconds) as u64, parts: parts.max(1) as u64, later: parts as u64 }
+    /// The work for a scene with so many parts.
+    pub(crate) fn allowance(&self, parts: usize) -> Allowance {
+        let work = (PER_SECOND * self.budget.unwrap_or(BUDGET)) as u64;
+        Allowance { work, left: work, parts: parts.max(1) as u64, later: parts as u64, before: 0, own: 0 }
     }
 }
 
 /// The work that the parts of a scene share.
 pub(crate) struct Allowance {
     work: u64,
+    /// What is left of it.
+    left: u64,
     parts: u64,
     /// The parts to come.
     later: u64,
+    /// What was spent before the last part.
+    before: u64,
+    /// What that part had for its rows, beside the work that is shared.
+    own: u64,
 }
 
 impl Allowance {
-    /// Allows the work for the next part: what is left, but for a share of each later one.
-    pub(crate) fn next(&mut self, counts: &Counts) {
+    /// Allows the work for the next part, with so many rows: what is left, but for a share of each later one, and its own for its rows.
+    pub(crate) fn next(&mut self, counts: &Counts, rows: usize) {
+        let spent = counts[0].spent();
+        self.left = self.left.saturating_sub((spent - self.before).saturating_sub(self.own));
+        (self.before, self.own) = (spent, self.work.saturating_mul((rows / ROWS) as u64));
         self.later = self.later.saturating_sub(1);
         let share = self.work / (KEPT * self.parts);
-        let left = self.work.saturating_sub(counts[0].spent());
         // All counts share it.
-        counts[0].allow(left.saturating_sub(share * self.later).max(share));
+        counts[0].allow(self.left.saturating_sub(share * self.later).max(share).saturating_add(self.own));
     }
 }
 
@@ -166,25 +174,33 @@ mod tests {
     #[test]
     fn the_parts_of_a_scene_share_one_budget() {
         let counts = Stop::default().counts();
-        let mut allowance = Run::default().within(1.0).allowance(0, 2);
+        let mut allowance = Run::default().within(1.0).allowance(2);
         let budget = counts[0].budget();
-        allowance.next(&counts);
+        allowance.next(&counts, 0);
         budget.spend(874_999_999);
         assert!(!budget.is_spent());
         budget.spend(1);
         assert!(budget.is_spent());
-        allowance.next(&counts);
+        allowance.next(&counts, 0);
         budget.spend(124_999_999);
         assert!(!budget.is_spent());
         budget.spend(1);
         assert!(budget.is_spent());
     }
 
+    /// Rows have work of their own, which no other part may spend.
     #[test]
-    fn a_scene_with_many_rows_has_more() {
+    fn a_part_with_many_rows_has_more() {
         let counts = Stop::default().counts();
-        Run::default().within(1.0).allowance(128, 1).next(&counts);
-        counts[0].budget().spend(2_999_999_999);
-        assert!(!counts[0].budget().is_spent());
+        let mut allowance = Run::default().within(1.0).allowance(2);
+        let budget = counts[0].budget();
+        allowance.next(&counts, 128);
+        budget.spend(2_500_000_000);
+        assert!(!budget.is_spent());
+        allowance.next(&counts, 0);
+        budget.spend(499_999_999);
+        assert!(!budget.is_spent());
+        budget.spend(1);
+        assert!(budget.is_spent());
     }
 }

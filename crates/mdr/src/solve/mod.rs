@@ -82,13 +82,13 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     let mut outputs = Vec::new();
     let mut costs = Vec::new();
     let parts = scene.wants.len() + usize::from(scene.range_of_adhesion.is_some());
-    let mut allowance = run.allowance(scene.wants.iter().map(|want| rows(scene, want)).sum(), parts);
+    let mut allowance = run.allowance(parts);
     for want in &scene.wants {
         if let Some(observer) = &mut run.observer {
             observer.begin(want);
         }
         let before = counts.each_ref().map(|count| count.read());
-        allowance.next(&counts);
+        allowance.next(&counts, rows(scene, want));
         let output = solver.output(want);
         // A stop may have been taken for a number that cannot be had.
         if run.stop.is_stopped() {
@@ -106,7 +106,7 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
         outputs.push(output);
         costs.push(cost);
     }
-    allowance.next(&counts);
+    allowance.next(&counts, 0);
     let validity = validity::of(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     let mut notes = scene.notes.clone();
     notes.extend(roughness::note(scene, solver.search().ok()));
