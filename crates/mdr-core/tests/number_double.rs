@@ -202,6 +202,16 @@ fn an_overflow_keeps_its_lower_end() {
     assert!(Real::exp(&DoubleInterval::point(-1e4)).lower() == 0.0);
 }
 
+/// What is exactly zero stays so: the image of a flat face has no width.
+#[test]
+fn zero_stays_exact() {
+    let zero = DoubleInterval::point(0.0);
+    let wide = DoubleInterval::new(-3.0, 5.0);
+    let all = [zero + zero, zero * wide, zero / DoubleInterval::new(1.0, 2.0), Real::square(&zero), Real::sqrt(&zero)];
+    assert!(all.iter().all(|image| image.lower() == 0.0 && image.upper() == 0.0), "{all:?}");
+    assert!(mdr_core::number::Ends::hypot(&zero, &zero).upper() == 0.0);
+}
+
 #[test]
 fn an_interval_is_the_tightest_around_another() {
     let third = Interval::from_int(Precision::new(200), 1).over(3);

@@ -52,7 +52,8 @@ impl DoubleInterval {
     pub(in crate::number) fn hypot(&self, other: &Self) -> Self {
         self.within(!other.is_entire(), |x| {
             let least = down(pxfm::f_hypot(x.lo, other.lo));
-            Self::new(least.max(0.0), up(pxfm::f_hypot(x.hi, other.hi)))
+            let greatest = pxfm::f_hypot(x.hi, other.hi);
+            Self::new(least.max(0.0), if greatest == 0.0 { 0.0 } else { up(greatest) })
         })
     }
 
