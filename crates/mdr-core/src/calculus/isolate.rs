@@ -75,7 +75,7 @@ pub fn isolate<R: Real>(
 /// returns [`Error::BudgetSpent`], all that is left is undecided.
 ///
 /// # Errors
-/// Those of [`isolate`]; whatever `found` returns, but for a spent budget.
+/// Errors of [`isolate`], and whatever `found` returns, but for a spent budget.
 pub fn isolate_each<R: Real>(
     lower: &R,
     upper: &R,

@@ -47,7 +47,7 @@ impl<'s> Search<'s> {
         Ok(Search::with(scene, Model::in_units_of_modulus(scene, counts)?, true))
     }
 
-    /// The same contact in SI units, with the folds that were found at its lengths.
+    /// The contact in SI units, with the folds that were found at its lengths.
     ///
     /// # Errors
     /// A number that is out of the range of doubles; errors of the transform at a fold.
