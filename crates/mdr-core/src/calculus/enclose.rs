@@ -178,7 +178,9 @@ fn pieces(
                 let ends = [&middle, &half];
                 let is_rough = goal.bits <= DOUBLE_BITS && f.is_moderate();
                 let in_doubles = if is_rough { rule.sum_in_doubles(f, ends)? } else { None };
-                let values = if in_doubles.is_some() { in_doubles } else { rule.sum(f, ends, goal.bits)? };
+                let precision = (Precision::new(goal.bits), goal.bits);
+                let values =
+                    if in_doubles.is_some() { in_doubles } else { rule.sum(ends, precision, |t| f.values(t))? };
                 let values = values.ok_or_else(|| open("an integral, whose integrand is not defined at a node"))?;
                 for ((sum, value), bound) in sums.iter_mut().zip(values).zip(&rule.bounds) {
                     let error = remainder(count, error_of_rule(bound, &half, rule.ellipse, rule.nodes));
@@ -245,40 +247,21 @@ struct Rule {
 }
 
 impl Rule {
-    /// h Σ w f in doubles; `None` where they do not reach.
-    fn sum_in_doubles(&self, f: &impl Sampled, [middle, half]: [&Float; 2]) -> Result<Option<Vec<Interval>>> {
-        let point = |value: &Float| DoubleInterval::around(&Interval::point(value.clone()));
+    /// h Σ w f over intervals of a context, of which the nodes have so many bits; `None` where a function is not defined.
+    fn sum<I: Ends>(
+        &self,
+        [middle, half]: [&Float; 2],
+        (ctx, bits): (I::Ctx, u32),
+        values: impl Fn(&I) -> Result<Option<Vec<I>>>,
+    ) -> Result<Option<Vec<I>>> {
+        let point = |value: &Float| I::around(ctx, &Interval::point(value.clone()));
         let (middle, half) = (point(middle), point(half));
-        let mut sums: Option<Vec<DoubleInterval>> = None;
-        for (node, weight) in &legendre::rule(self.nodes, DOUBLE_BITS)?.nodes {
-            let (node, weight) = (DoubleInterval::around(node), DoubleInterval::around(weight));
-            let step = half * node;
-            for t in [middle + step, middle - step] {
-                let Some(values) = f.range_in_doubles(&t) else { return Ok(None) };
-                match &mut sums {
-                    None => sums = Some(values.into_iter().map(|value| value * weight).collect()),
-                    Some(sums) => sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += &(value * weight)),
-                }
-            }
-        }
-        let precision = Precision::new(DOUBLE_BITS);
-        let sums = sums.map(|sums| sums.into_iter().map(|sum| sum * half).collect::<Vec<_>>());
-        Ok(sums
-            .filter(|sums| sums.iter().all(Real::is_finite))
-            .map(|sums| sums.iter().map(|sum| sum.widened(precision)).collect()))
-    }
-
-    /// h Σ w f; `None` where a function is not defined.
-    fn sum(&self, f: &impl Sampled, [middle, half]: [&Float; 2], bits: u32) -> Result<Option<Vec<Interval>>> {
-        let precision = Precision::new(bits);
-        let point = |value: &Float| Interval::point(value.clone()).rounded(precision);
-        let (middle, half) = (point(middle), point(half));
-        let mut sums: Option<Vec<Interval>> = None;
+        let mut sums: Option<Vec<I>> = None;
         for (node, weight) in &legendre::rule(self.nodes, bits)?.nodes {
-            let step = half.clone() * node;
+            let (step, weight) = (half.clone() * I::around(ctx, node), I::around(ctx, weight));
             for t in [middle.clone() + &step, middle.clone() - &step] {
-                let Some(values) = f.values(&t)? else { return Ok(None) };
-                let terms = values.into_iter().map(|value| value * weight);
+                let Some(values) = values(&t)? else { return Ok(None) };
+                let terms = values.into_iter().map(|value| value * &weight);
                 sums = Some(match sums {
                     None => terms.collect(),
                     Some(sums) => sums.into_iter().zip(terms).map(|(sum, term)| sum + term).collect(),
@@ -287,6 +270,18 @@ impl Rule {
         }
         Ok(sums.map(|sums| sums.into_iter().map(|sum| sum * &half).collect()))
     }
+
+    /// The sums in doubles; `None` where they do not reach.
+    fn sum_in_doubles(&self, f: &impl Sampled, ends: [&Float; 2]) -> Result<Option<Vec<Interval>>> {
+        let sums = self.sum(ends, ((), DOUBLE_BITS), |t: &DoubleInterval| Ok(f.range_in_doubles(t)))?;
+        let sums = sums.filter(|sums| sums.iter().all(Real::is_finite));
+        Ok(sums.map(|sums| widened(&sums, DOUBLE_BITS)))
+    }
+}
+
+/// Intervals of doubles in so many bits.
+fn widened(sums: &[DoubleInterval], bits: u32) -> Vec<Interval> {
+    sums.iter().map(|sum| sum.widened(Precision::new(bits))).collect()
 }
 
 /// The rule with the fewest nodes: from one ellipse to larger ones while that helps, else to smaller ones; where more than `most`
@@ -388,12 +383,8 @@ fn by_range(f: &impl Sampled, piece: &Piece, tolerances: &[Float]) -> Option<Vec
         });
         areas.collect::<Option<Vec<_>>>()
     };
-    let widened = |ranges: Vec<DoubleInterval>| {
-        ranges.iter().map(|range| range.widened(Precision::new(BOUND_BITS))).collect::<Vec<_>>()
-    };
-    let rough = || f.range_in_doubles(&DoubleInterval::around(&over)).map(widened);
-    let in_doubles = if f.is_moderate() { rough() } else { None };
-    in_doubles.and_then(areas).or_else(|| areas(f.range(&over)?))
+    let in_doubles = if f.is_moderate() { f.range_in_doubles(&DoubleInterval::around(&over)) } else { None };
+    in_doubles.and_then(|ranges| areas(widened(&ranges, BOUND_BITS))).or_else(|| areas(f.range(&over)?))
 }
 
 #[cfg(test)]

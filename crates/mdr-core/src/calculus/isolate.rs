@@ -119,22 +119,22 @@ pub fn isolate_each<R: Real>(
     Ok(Isolation { undecided: merge(isolation.undecided), evaluations: evaluations.get(), ..isolation })
 }
 
-/// The ends of a cell.
-type Ends<R> = [Sample<R>; 2];
+/// The samples at the ends of a cell.
+type Borders<R> = [Sample<R>; 2];
 
 impl<R: Real> Isolation<R> {
-    fn leave(&mut self, [lower, upper]: Ends<R>) {
+    fn leave(&mut self, [lower, upper]: Borders<R>) {
         self.undecided.push((lower.x, upper.x));
     }
 
     /// Settles a cell, or halves it.
     fn settle(
         &mut self,
-        [lower, upper]: &Ends<R>,
+        [lower, upper]: &Borders<R>,
         sample: impl FnMut(R) -> Result<Sample<R>>,
         test: &mut impl FnMut(&R, &R) -> Result<Behaviour>,
         found: &mut impl FnMut(&Bracket<R>) -> Result<()>,
-    ) -> Result<Option<[Ends<R>; 2]>> {
+    ) -> Result<Option<[Borders<R>; 2]>> {
         let cell = || [lower.clone(), upper.clone()];
         match test(&lower.x, &upper.x)? {
             Behaviour::Nonzero => self.cells.push(cell()),

@@ -123,25 +123,7 @@ impl<R: Real> DivAssign<&Self> for Dual<R> {
     }
 }
 
-/// The four operators in the two forms that `Real` requires, from the assigning ones.
-macro_rules! operators {
-    ($($operator:ident $method:ident $assign:ident),*) => {$(
-        impl<R: Real> $operator<&Self> for Dual<R> {
-            type Output = Self;
-            fn $method(mut self, other: &Self) -> Self {
-                self.$assign(other);
-                self
-            }
-        }
-        impl<R: Real> $operator for Dual<R> {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                self.$method(&other)
-            }
-        }
-    )*};
-}
-operators!(Add add add_assign, Sub sub sub_assign, Mul mul mul_assign, Div div div_assign);
+operators_from_assigning! { [R: Real] Dual<R> }
 
 impl<R: Real> Real for Dual<R> {
     type Ctx = R::Ctx;

@@ -1,5 +1,30 @@
 //! The arithmetics in which every formula is evaluated, behind one trait.
 
+/// The four operators of a type in the two forms that [`Real`] requires, from the assigning ones.
+macro_rules! operators_from_assigning {
+    ([$($generics:tt)*] $type:ty) => {
+        operators_from_assigning! { [$($generics)*] $type: Add add add_assign }
+        operators_from_assigning! { [$($generics)*] $type: Sub sub sub_assign }
+        operators_from_assigning! { [$($generics)*] $type: Mul mul mul_assign }
+        operators_from_assigning! { [$($generics)*] $type: Div div div_assign }
+    };
+    ([$($generics:tt)*] $type:ty: $operator:ident $method:ident $assign:ident) => {
+        impl<$($generics)*> $operator<&Self> for $type {
+            type Output = Self;
+            fn $method(mut self, other: &Self) -> Self {
+                self.$assign(other);
+                self
+            }
+        }
+        impl<$($generics)*> $operator for $type {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                self.$method(&other)
+            }
+        }
+    };
+}
+
 #[cfg(feature = "mp")]
 mod analytic;
 #[cfg(feature = "mp")]

@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 use rug::Float;
 use rug::float::Round;
 
+use super::interval::certain_order;
 use super::{Interval, Precision};
 
 /// A closed interval of doubles that is proved to contain the exact result, with the rules of an [`Interval`]: a finite enclosure is a
@@ -103,14 +104,6 @@ impl PartialEq for DoubleInterval {
 
 impl PartialOrd for DoubleInterval {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        if self.hi < other.lo {
-            Some(Ordering::Less)
-        } else if self.lo > other.hi {
-            Some(Ordering::Greater)
-        } else if self.is_point() && other.is_point() {
-            Some(Ordering::Equal)
-        } else {
-            None
-        }
+        certain_order([&self.lo, &self.hi], [&other.lo, &other.hi])
     }
 }

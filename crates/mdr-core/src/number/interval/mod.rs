@@ -208,6 +208,19 @@ fn just_above(lo: &Float, order: Ordering) -> Float {
     hi
 }
 
+/// The order of two closed intervals by their ends, where it holds for all pairs of their numbers.
+pub(super) fn certain_order<E: PartialOrd>([lo, hi]: [&E; 2], [other_lo, other_hi]: [&E; 2]) -> Option<Ordering> {
+    if hi < other_lo {
+        Some(Ordering::Less)
+    } else if lo > other_hi {
+        Some(Ordering::Greater)
+    } else if lo == hi && other_lo == other_hi {
+        Some(Ordering::Equal)
+    } else {
+        None
+    }
+}
+
 impl PartialEq for Interval {
     fn eq(&self, other: &Self) -> bool {
         self.partial_cmp(other) == Some(Ordering::Equal)
@@ -216,15 +229,7 @@ impl PartialEq for Interval {
 
 impl PartialOrd for Interval {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        if self.hi < other.lo {
-            Some(Ordering::Less)
-        } else if self.lo > other.hi {
-            Some(Ordering::Greater)
-        } else if self.is_point() && other.is_point() {
-            Some(Ordering::Equal)
-        } else {
-            None
-        }
+        certain_order([&self.lo, &self.hi], [&other.lo, &other.hi])
     }
 }
 

@@ -208,22 +208,4 @@ impl DivAssign<&Self> for Interval {
     }
 }
 
-/// The four operators in the two forms that `Real` requires, from the assigning ones.
-macro_rules! operators {
-    ($($operator:ident $method:ident $assign:ident),*) => {$(
-        impl $operator<&Self> for Interval {
-            type Output = Self;
-            fn $method(mut self, other: &Self) -> Self {
-                self.$assign(other);
-                self
-            }
-        }
-        impl $operator for Interval {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                self.$method(&other)
-            }
-        }
-    )*};
-}
-operators!(Add add add_assign, Sub sub sub_assign, Mul mul mul_assign, Div div div_assign);
+operators_from_assigning! { [] Interval }
