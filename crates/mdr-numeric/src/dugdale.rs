@@ -139,27 +139,6 @@ impl<R: Special> Dugdale<R> {
         Ok(lowest)
     }
 
-    /// The minimum of the force, from its contact radius to `bits` bits in another arithmetic.
-    ///
-    /// # Errors
-    /// [`Error::NoConvergence`] if there is no minimum nearby; [`Error::Domain`] if the ring would reach beyond the profile;
-    /// errors of the transform; [`Error::OutOfRange`] if the force is not representable.
-    pub fn pull_off_near(&self, radius: &R, bits: i64) -> Result<CohesiveState<R>> {
-        if let Some(state) = self.at_vertical_edge()?
-            && (state.contact_radius.clone() / radius - radius.lit(1)).abs() <= radius.lit(2).powi(-bits)
-        {
-            return Ok(state);
-        }
-        for doublings in 0..bits {
-            let margin = radius.lit(2).powi(doublings - bits) * radius;
-            let [lower, upper] = [radius.clone() - &margin, radius.clone() + margin];
-            if let Some(state) = self.minimum(lower, upper, None)? {
-                return Ok(state);
-            }
-        }
-        Err(Error::NoConvergence { quantity: Quantity::ContactRadius, evaluations: 2 * bits as usize, error: 0.5 })
-    }
-
     /// The minima of the force, by decreasing contact radius.
     fn minima(&self, folds: &[R]) -> Result<Vec<CohesiveState<R>>> {
         let mut minima: Vec<_> = self.at_vertical_edge()?.into_iter().collect();

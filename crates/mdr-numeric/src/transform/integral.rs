@@ -87,11 +87,9 @@ impl<'a, R: Special, P: Profile<R>> Integral<'a, R, P> {
         self.quadrature.tolerance(self.x)
     }
 
-    /// The tolerance, or the accuracy attainable with the rounding of r, which limits steep profiles, or the accepted
-    /// one.
+    /// The tolerance, or the accuracy attainable with the rounding of r, which limits steep profiles.
     fn attainable(&self, noise: &R) -> R {
-        let attainable = self.tolerance().greater(&noise.clone().times(16));
-        self.quadrature.accepted.iter().fold(attainable, |attainable, accepted| attainable.greater(accepted))
+        self.tolerance().greater(&noise.clone().times(16))
     }
 
     /// This goal, or an error that is small enough.

@@ -38,7 +38,6 @@ pub struct Periodic<R, P> {
     profile: P,
     wavelength: R,
     kinks: Vec<R>,
-    accepted: Option<R>,
 }
 
 /// Radii at which the form of a profile is checked.
@@ -78,13 +77,7 @@ impl<R: Special, P: Profile<R>> Periodic<R, P> {
         }
         let mut kinks = profile.kinks();
         kinks.retain(|kink| *kink < half);
-        Ok(Periodic { profile, wavelength, kinks, accepted: None })
-    }
-
-    /// Accepts a value that misses its tolerance if its estimated relative error is below `error`.
-    #[must_use]
-    pub fn accepting(self, error: R) -> Self {
-        Periodic { accepted: Some(error), ..self }
+        Ok(Periodic { profile, wavelength, kinks })
     }
 
     /// ∫₀^{π/2} of a function of φ, sinφ, cosφ and X, cosX at a size.
@@ -102,10 +95,6 @@ impl<R: Special, P: Profile<R>> Periodic<R, P> {
             .collect();
         let goal = roundoff_tolerance(b).times(4);
         let tolerance = Tolerance::new(&goal).or_noise_below(b.unit_roundoff().sqrt());
-        let tolerance = match &self.accepted {
-            Some(accepted) => tolerance.or_finest_below(accepted.clone()),
-            None => tolerance,
-        };
         let quarter = b.pi().over(2);
         tanh_sinh_pieces(&zero, &quarter, &breaks, tolerance, |phi| {
             let (up, across) = (phi.sin(), phi.cos());

@@ -47,8 +47,6 @@ pub struct Quadrature<R, P> {
     pub(super) profile: P,
     pub(super) rule: Rule,
     tolerance: Option<R>,
-    /// The error accepted if the tolerance is not met.
-    pub(super) accepted: Option<R>,
     pub(super) kinks: Vec<R>,
     pub(super) ladder: Option<Ladder<R>>,
     /// The rule with the number of nodes set by the caller, and one of half that size to compare with.
@@ -85,7 +83,6 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
         Quadrature {
             rule: Rule::default(),
             tolerance: None,
-            accepted: None,
             kinks: profile.kinks(),
             ladder,
             fixed: OnceLock::new(),
@@ -108,16 +105,6 @@ impl<R: Special, P: Profile<R>> Quadrature<R, P> {
     pub fn with_tolerance(self, tolerance: R) -> Result<Self> {
         let tolerance = Some(Error::require_positive(Quantity::Parameter("the tolerance"), tolerance)?);
         Ok(Quadrature { tolerance, ..self })
-    }
-
-    /// Accepts a value that misses its tolerance if its estimated error is below `error` relative to ∫|…|: for fewer digits than
-    /// the arithmetic has.
-    ///
-    /// # Errors
-    /// [`Error::Domain`] unless it is positive and finite.
-    pub fn accepting(self, error: R) -> Result<Self> {
-        let accepted = Some(Error::require_positive(Quantity::Parameter("the accepted error"), error)?);
-        Ok(Quadrature { accepted, ..self })
     }
 
     /// Sets the number of waves inside x that the quadrature can resolve, about 500 by default; with more the result is

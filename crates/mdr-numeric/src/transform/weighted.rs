@@ -39,7 +39,6 @@ pub struct Weighted<R, P> {
     /// 1 + k; 1 for a line contact.
     order: R,
     kinks: Vec<R>,
-    accepted: Option<R>,
     heights: Arc<AtomicU64>,
 }
 
@@ -59,7 +58,7 @@ enum Part {
 impl<R: Special, P: Profile<R>> Weighted<R, P> {
     fn new(profile: P, weight: Weight<R>, like: &R) -> Self {
         let (kinks, order) = (profile.kinks(), weight.order(like));
-        Weighted { profile, weight, order, kinks, accepted: None, heights: Arc::default() }
+        Weighted { profile, weight, order, kinks, heights: Arc::default() }
     }
 
     /// On a half-space graded as zᵏ, with k within (−1, 1).
@@ -77,12 +76,6 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
     /// the arithmetic.
     pub fn line(profile: P, reference: Option<R>, like: R) -> Self {
         Self::new(profile, Weight::Line(reference), &like)
-    }
-
-    /// Accepts a value that misses its tolerance if its estimated relative error is below `error`.
-    #[must_use]
-    pub fn accepting(self, error: R) -> Self {
-        Weighted { accepted: Some(error), ..self }
     }
 
     fn check(&self, x: &R) -> Result<()> {
@@ -142,10 +135,6 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         };
         let goal = roundoff_tolerance(x).times(4);
         let tolerance = Tolerance::new(&goal).or_noise_below(x.unit_roundoff().sqrt()).or_error_below(needed);
-        let tolerance = match &self.accepted {
-            Some(accepted) => tolerance.or_finest_below(accepted.clone()),
-            None => tolerance,
-        };
         let mut count = 0;
         let estimate = pieces(&zero, &one, &breaks, |from, to| {
             let (least, most) = (beside(to, 1), beside(from, -1));

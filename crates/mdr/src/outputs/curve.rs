@@ -12,11 +12,9 @@ use super::key::Key;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject, not_wanted};
 use super::{Output, Want};
 #[cfg(feature = "mp")]
-use crate::answer::Promise;
-#[cfg(feature = "mp")]
 use crate::answer::record::Numbers;
 use crate::answer::record::{constant_parts, record};
-use crate::answer::{Admission, Cell, List, Value};
+use crate::answer::{Admission, Cell, List, Promise, Value};
 #[cfg(feature = "mp")]
 use crate::solve::certified::Certified;
 use crate::solve::model::{Model, SceneReal};
@@ -117,7 +115,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
             admissible: None,
             edge: None,
         };
-        Output::Curve(List::new(open.promise, self.at.iter().map(point).collect()).complete(open.completeness()))
+        Output::Curve(List::new(Promise::F64, self.at.iter().map(point).collect()).complete(open.completeness()))
     }
 }
 

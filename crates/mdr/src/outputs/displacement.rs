@@ -1,6 +1,5 @@
 //! The output `displacement`: the normal displacement of the surface of states, outside the contact.
 
-use mdr_core::calculus::Estimate;
 use mdr_core::contact::Result;
 #[cfg(feature = "mp")]
 use mdr_core::number::Interval;
@@ -9,12 +8,11 @@ use mdr_numeric::fields::Fields;
 #[cfg(feature = "mp")]
 use mdr_numeric::proof::EnclosedFields;
 
-use super::fields::{Field, FieldRoom, FieldState, OUTSIDE, estimate};
+use super::fields::{Field, FieldRoom, FieldState, OUTSIDE};
 use super::key::Key;
 use super::room::{Facts, Subject, not_wanted};
 use super::{Output, Want};
 use crate::answer::{AtValue, List};
-use crate::solve::model::SceneReal;
 
 pub(super) const FACTS: Facts = Facts {
     of: Subject::States,
@@ -37,8 +35,8 @@ impl<'w> FieldRoom<'w> for Room<'w> {
         [self.states, self.at]
     }
 
-    fn value<R: SceneReal>(fields: &Fields<R>, r: &R) -> Result<Estimate<R>> {
-        estimate(fields.displacement_estimate(r), || fields.displacement(r))
+    fn value(fields: &Fields<f64>, r: &f64) -> Result<f64> {
+        fields.displacement(r)
     }
 
     #[cfg(feature = "mp")]

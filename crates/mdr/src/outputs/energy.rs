@@ -1,6 +1,5 @@
 //! The output `energy`: potential energy and stiffness of states.
 
-use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Edge, Result};
 use mdr_core::number::Literal;
 use mdr_numeric::energy::Energy;
@@ -16,9 +15,8 @@ use {
 use super::path::edges::{self, Held};
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject, not_wanted};
 use super::{Output, Want};
-use crate::answer::record::{Numbers, record};
+use crate::answer::record::record;
 use crate::answer::{Admission, AtValue, PlainState, Value};
-use crate::solve::model::SceneReal;
 use crate::solve::search::{self, Search};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
@@ -90,7 +88,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
         } else {
             energies(&search.states()?, self.states)?
         };
-        Ok(Output::Energy(search::estimates(items)))
+        Ok(Output::Energy(search::list(items)))
     }
 
     #[cfg(feature = "mp")]
@@ -116,10 +114,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
 ///
 /// # Errors
 /// Errors that concern more than one value.
-fn energies<R: SceneReal>(
-    states: &States<'_, R>,
-    values: &[Literal],
-) -> Result<Vec<AtValue<EnergyState<Estimate<R>>>>> {
+fn energies(states: &States<'_, f64>, values: &[Literal]) -> Result<Vec<AtValue<EnergyState<f64>>>> {
     states.described(values, |state| described(states, Held::on_edge(state, states.scene.edge)))
 }
 
@@ -127,7 +122,7 @@ fn energies<R: SceneReal>(
 ///
 /// # Errors
 /// Errors that concern more than one value.
-fn described<R: SceneReal>(states: &States<'_, R>, held: Held<R>) -> Result<EnergyState<Estimate<R>>> {
+fn described(states: &States<'_, f64>, held: Held<f64>) -> Result<EnergyState<f64>> {
     let fields = held.fields(states.model.contact())?;
     let Held { state, edge, .. } = held;
     let energy = Energy::new(states.model.contact().at(Edge::Advancing))?;
@@ -135,7 +130,7 @@ fn described<R: SceneReal>(states: &States<'_, R>, held: Held<R>) -> Result<Ener
     let admissible = Admission::of(states.verdict(&state));
     let energy = Value::from_result(potential)?;
     let stiffness = Value::from_result(fields.stiffness())?;
-    Ok(EnergyState { state: states.model.plain(state), energy, stiffness, admissible, edge }.convert(Estimate::exact))
+    Ok(EnergyState { state: states.model.plain(state), energy, stiffness, admissible, edge })
 }
 
 /// Π and dF/dd of a state that is proved.
@@ -148,14 +143,8 @@ fn of_proved(
 ) -> Result<EnergyState<Enclosure>> {
     let radius = &state.contact_radius;
     let energy = proved.potential(state)? + held(certified.scene, radius);
-    let verdict = verdict(&*certified.admissibility()?, &state.contact_radius, &state.indentation);
-    Ok(EnergyState {
-        state: record,
-        energy: Value::Known(energy.into()),
-        stiffness: Value::from_result(along(state, &certified.scene.control, proved.stiffness(radius)))?,
-        admissible: Admission::of(verdict),
-        edge: proved.edge,
-    })
+    let stiffness = Value::from_result(along(state, &certified.scene.control, proved.stiffness(radius)))?;
+    with_numbers(certified, proved, state, record, [Value::Known(energy.into()), stiffness])
 }
 
 /// A state that is proved, without its energy.
@@ -171,9 +160,23 @@ fn open_energy(
     error: &Error,
 ) -> Result<EnergyState<Enclosure>> {
     let unknown = || Value::unknown(Status::Undecided, error.to_string());
+    with_numbers(certified, proved, state, record, [unknown(), unknown()])
+}
+
+/// A state that is proved, with its energy and its stiffness.
+///
+/// # Errors
+/// [`Certified::admissibility`].
+#[cfg(feature = "mp")]
+fn with_numbers(
+    certified: &Certified<'_>,
+    proved: &Proved<'_>,
+    state: &Equilibrium<Interval>,
+    record: PlainState<Enclosure>,
+    [energy, stiffness]: [Value<Enclosure>; 2],
+) -> Result<EnergyState<Enclosure>> {
     let verdict = verdict(&*certified.admissibility()?, &state.contact_radius, &state.indentation);
-    let (energy, stiffness, admissible) = (unknown(), unknown(), Admission::of(verdict));
-    Ok(EnergyState { state: record, energy, stiffness, admissible, edge: proved.edge })
+    Ok(EnergyState { state: record, energy, stiffness, admissible: Admission::of(verdict), edge: proved.edge })
 }
 
 /// dF/dd of a state, which at a fold is known without a division.

@@ -1,6 +1,5 @@
 //! The output `equilibria`: all equilibria at values of the controlled quantity.
 
-use mdr_core::calculus::Estimate;
 use mdr_core::contact::{self, Edge, Result, Stability};
 #[cfg(feature = "mp")]
 use mdr_core::contact::{Error, Quantity};
@@ -16,7 +15,9 @@ use mdr_numeric::{branch::EquilibriumBranches, proof::ProvedBranches};
 use super::key::Key;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject};
 use super::{Output, OutputKind, Want};
-use crate::answer::record::{Numbers, record};
+#[cfg(feature = "mp")]
+use crate::answer::record::Numbers;
+use crate::answer::record::record;
 use crate::answer::{Admission, AtValue, PlainState, Value};
 #[cfg(feature = "mp")]
 use crate::answer::{Completeness, List, Promise};
@@ -125,7 +126,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let items = at_values(&search.states()?, self.at)?;
-        Ok(Output::Equilibria(search::estimates(items).complete(search.completeness()?)))
+        Ok(Output::Equilibria(search::list(items).complete(search.completeness()?)))
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {
@@ -137,11 +138,8 @@ impl<'w> IsRoom<'w> for Room<'w> {
 ///
 /// # Errors
 /// Errors of the search that concern more than one value.
-fn at_values<R: SceneReal>(
-    states: &States<'_, R>,
-    values: &[Literal],
-) -> Result<Vec<AtValue<Equilibrium<Estimate<R>>>>> {
-    let describe = |state| Ok(judged(states.model, state, states.admissibility()).convert(Estimate::exact));
+fn at_values(states: &States<'_, f64>, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium<f64>>>> {
+    let describe = |state| Ok(judged(states.model, state, states.admissibility()));
     values.iter().map(|literal| states.described_at(literal, describe)).collect()
 }
 
@@ -158,7 +156,7 @@ fn judged<R: SceneReal>(
 
 #[cfg(feature = "mp")]
 fn in_doubles_at(certified: &Certified<'_>, values: &[Literal]) -> Result<Vec<AtValue<Equilibrium>>> {
-    at_values(&certified.plain()?.states()?, values).map(search::doubles)
+    at_values(&certified.plain()?.states()?, values).map(|items| search::list(items).items)
 }
 
 /// Each value for itself: proved where that can be, and whether it is.

@@ -1,11 +1,10 @@
 //! Quantities along the surface of states: what the outputs `pressure`, `gap` and `displacement` have in common.
 
-use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Edge, Equilibrium, Result};
 #[cfg(feature = "mp")]
 use mdr_core::contact::{Error, Quantity, Status};
 use mdr_core::named;
-use mdr_core::number::Literal;
+use mdr_core::number::{Literal, Real};
 use mdr_numeric::fields::Fields;
 
 use super::Output;
@@ -13,7 +12,6 @@ use super::path::edges::{self, Held};
 use super::room::{Open, Request, Room};
 use crate::answer::record::{Numbers, Part, Row};
 use crate::answer::{Admission, AtValue, Cell, Column, List, Number, PlainState, Promise, Value};
-use crate::solve::model::SceneReal;
 use crate::solve::search::{self, Search};
 use crate::solve::states::States;
 #[cfg(feature = "mp")]
@@ -25,11 +23,8 @@ use crate::{
 };
 #[cfg(feature = "mp")]
 use {
-    mdr_core::number::certify::Enclosure,
-    mdr_core::number::{Interval, Real},
-    mdr_numeric::admissible::GapVerdict,
-    mdr_numeric::proof::EnclosedFields,
-    rug::Rational,
+    mdr_core::number::Interval, mdr_core::number::certify::Enclosure, mdr_numeric::admissible::GapVerdict,
+    mdr_numeric::proof::EnclosedFields, rug::Rational,
 };
 
 /// About so many radii of a field the program chooses itself.
@@ -122,8 +117,11 @@ pub(super) trait FieldRoom<'w> {
     /// The values of the controlled quantity, and the radii.
     fn question(&self) -> [&'w [Literal]; 2];
 
-    /// The field at a radius: with its error for digits that are decided by it, settled for doubles.
-    fn value<R: SceneReal>(fields: &Fields<R>, r: &R) -> Result<Estimate<R>>;
+    /// The field at a radius, in f64.
+    ///
+    /// # Errors
+    /// A radius where it is not defined; errors of the quadratures.
+    fn value(fields: &Fields<f64>, r: &f64) -> Result<f64>;
 
     /// The field of a state that is proved, at a radius.
     ///
@@ -151,11 +149,7 @@ pub(super) trait FieldRoom<'w> {
     ///
     /// # Errors
     /// Errors that concern the whole computation, not one state.
-    fn admission<R: SceneReal>(
-        states: &States<'_, R>,
-        _: &Fields<R>,
-        state: &Equilibrium<R>,
-    ) -> Result<Admission<Estimate<R>>> {
+    fn admission(states: &States<'_, f64>, _: &Fields<f64>, state: &Equilibrium<f64>) -> Result<Admission<f64>> {
         Ok(Admission::of(states.verdict(state)))
     }
 }
@@ -210,11 +204,11 @@ impl<'w, F: FieldRoom<'w>> Room<'w> for F {
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let [states, at] = self.question();
         let items = if search.scene.has_two_works() {
-            edges::with_both(search, |edges, _| edges::first(edges, |states, held| of_state::<_, F>(states, held, at)))?
+            edges::with_both(search, |edges, _| edges::first(edges, |states, held| of_state::<F>(states, held, at)))?
         } else {
-            described::<_, F>(&search.states()?, states, at)?
+            described::<F>(&search.states()?, states, at)?
         };
-        Ok(F::OUTPUT(search::estimates(items)))
+        Ok(F::OUTPUT(search::list(items)))
     }
 
     fn of_edges(&self, outputs: [Output; 2]) -> Option<Output> {
@@ -275,48 +269,48 @@ fn insert_doubles(items: &mut [AtValue<FieldState>], searched: Output) {
 ///
 /// # Errors
 /// Errors that concern more than one value.
-fn described<'w, R: SceneReal, F: FieldRoom<'w>>(
-    states: &States<'_, R>,
+fn described<'w, F: FieldRoom<'w>>(
+    states: &States<'_, f64>,
     values: &[Literal],
     radii: &[Literal],
-) -> Result<Vec<AtValue<FieldState<Estimate<R>>>>> {
-    states.described(values, |state| of_state::<R, F>(states, Held::on_edge(state, states.scene.edge), radii))
+) -> Result<Vec<AtValue<FieldState<f64>>>> {
+    states.described(values, |state| of_state::<F>(states, Held::on_edge(state, states.scene.edge), radii))
 }
 
 /// The field of one state.
 ///
 /// # Errors
 /// Errors that concern more than one value.
-fn of_state<'w, R: SceneReal, F: FieldRoom<'w>>(
-    states: &States<'_, R>,
-    held: Held<R>,
+fn of_state<'w, F: FieldRoom<'w>>(
+    states: &States<'_, f64>,
+    held: Held<f64>,
     radii: &[Literal],
-) -> Result<FieldState<Estimate<R>>> {
+) -> Result<FieldState<f64>> {
     let fields = held.fields(states.model.contact())?;
     let Held { state, edge, .. } = held;
     Ok(FieldState {
-        samples: samples::<R, F>(states, &fields, radii, &states.model.contact_radius(&state.contact_radius))?,
+        samples: samples::<F>(states, &fields, radii, &states.model.contact_radius(&state.contact_radius))?,
         admissible: F::admission(states, &fields, &state)?,
-        state: states.model.plain(state).convert(Estimate::exact),
+        state: states.model.plain(state),
         field: F::FIELD,
         edge,
     })
 }
 
 /// A field at the radii of the scene, else at fractions of the contact radius.
-fn samples<'w, R: SceneReal, F: FieldRoom<'w>>(
-    states: &States<'_, R>,
-    fields: &Fields<R>,
+fn samples<'w, F: FieldRoom<'w>>(
+    states: &States<'_, f64>,
+    fields: &Fields<f64>,
     radii: &[Literal],
-    a: &R,
-) -> Result<Vec<FieldSample<Estimate<R>>>> {
+    a: &f64,
+) -> Result<Vec<FieldSample<f64>>> {
     let chosen = F::FRACTIONS.iter().filter(|_| radii.is_empty()).map(|&(numerator, denominator)| {
-        let r = a.clone().times(numerator).over(denominator);
-        (Value::Known(Estimate::exact(r.clone())), r)
+        let r = a.times(numerator).over(denominator);
+        (Value::Known(r), r)
     });
     let given = radii.iter().map(|literal| (Value::Given(literal.clone()), states.model.number(literal)));
     let sample =
-        |(r, at): (_, R)| Ok(FieldSample { r, value: Value::from_result(F::value(fields, &at))?, promise: None });
+        |(r, at): (_, f64)| Ok(FieldSample { r, value: Value::from_result(F::value(fields, &at))?, promise: None });
     chosen.chain(given).map(sample).collect()
 }
 
@@ -344,12 +338,4 @@ fn proved_samples<'w, F: FieldRoom<'w>>(
         Ok(FieldSample { r, value, promise })
     };
     chosen.chain(given).map(sample).collect()
-}
-
-/// A field with its error if digits are decided by it; digits of doubles are not.
-pub(super) fn estimate<R: SceneReal>(
-    estimate: Result<Estimate<R>>,
-    settled: impl FnOnce() -> Result<R>,
-) -> Result<Estimate<R>> {
-    if R::INDEX == f64::INDEX { settled().map(Estimate::exact) } else { estimate }
 }

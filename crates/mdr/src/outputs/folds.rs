@@ -14,11 +14,11 @@ use super::key::Key;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject};
 use super::{Output, OutputKind, Want};
 #[cfg(feature = "mp")]
+use crate::answer::Number;
+#[cfg(feature = "mp")]
 use crate::answer::record::Numbers;
 use crate::answer::record::record;
-use crate::answer::{Admission, List, Value};
-#[cfg(feature = "mp")]
-use crate::answer::{Number, Promise};
+use crate::answer::{Admission, List, Promise, Value};
 use crate::scene::{Arithmetic, Scene};
 use crate::solve::model::{Model, SceneReal};
 use crate::solve::search::{self, Search};
@@ -136,7 +136,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
     }
 
     fn undecided(&self, open: &Open<'_>) -> Output {
-        Output::Folds(List::new(open.promise, Vec::new()).complete(open.completeness()))
+        Output::Folds(List::new(Promise::F64, Vec::new()).complete(open.completeness()))
     }
 }
 

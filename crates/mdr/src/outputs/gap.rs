@@ -1,6 +1,5 @@
 //! The output `gap`: the distance of the surfaces of states outside the contact.
 
-use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Equilibrium, Result};
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, certify::Enclosure};
@@ -10,12 +9,11 @@ use mdr_numeric::fields::Fields;
 #[cfg(feature = "mp")]
 use mdr_numeric::proof::EnclosedFields;
 
-use super::fields::{Field, FieldRoom, FieldState, OUTSIDE, estimate};
+use super::fields::{Field, FieldRoom, FieldState, OUTSIDE};
 use super::key::Key;
 use super::room::{Facts, Subject, not_wanted};
 use super::{Output, Want};
 use crate::answer::{Admission, AtValue, List, Overlap, Value};
-use crate::solve::model::SceneReal;
 use crate::solve::sample::decimal;
 use crate::solve::states::States;
 
@@ -40,8 +38,8 @@ impl<'w> FieldRoom<'w> for Room<'w> {
         [self.states, self.at]
     }
 
-    fn value<R: SceneReal>(fields: &Fields<R>, r: &R) -> Result<Estimate<R>> {
-        estimate(fields.gap_estimate(r), || fields.gap(r))
+    fn value(fields: &Fields<f64>, r: &f64) -> Result<f64> {
+        fields.gap(r)
     }
 
     #[cfg(feature = "mp")]
@@ -57,12 +55,8 @@ impl<'w> FieldRoom<'w> for Room<'w> {
     }
 
     /// Whether a state is admissible; with its gap where it is below zero.
-    fn admission<R: SceneReal>(
-        states: &States<'_, R>,
-        fields: &Fields<R>,
-        state: &Equilibrium<R>,
-    ) -> Result<Admission<Estimate<R>>> {
-        with_gap(states.verdict(state), |r| fields.gap(&states.model.number(r)), Estimate::exact)
+    fn admission(states: &States<'_, f64>, fields: &Fields<f64>, state: &Equilibrium<f64>) -> Result<Admission<f64>> {
+        with_gap(states.verdict(state), |r| fields.gap(&states.model.number(r)), |gap| gap)
     }
 }
 

@@ -135,13 +135,12 @@ pub(crate) trait Room<'w>: Request<'w> {
 pub(crate) struct Open<'a> {
     pub(crate) scene: &'a Scene,
     pub(crate) error: &'a Error,
-    pub(crate) promise: Promise,
     why: String,
 }
 
 impl<'a> Open<'a> {
     pub(crate) fn new(scene: &'a Scene, error: &'a Error) -> Self {
-        Open { scene, error, promise: Promise::F64, why: error.to_string() }
+        Open { scene, error, why: error.to_string() }
     }
 
     /// No number.
@@ -158,7 +157,7 @@ impl<'a> Open<'a> {
     pub(crate) fn at_values<T>(&self, values: &[Literal]) -> List<AtValue<T>> {
         let start = self.scene.path.first().into_iter().filter(|_| values.is_empty());
         let items = values.iter().chain(start).map(|value| AtValue::open(value, self.error));
-        List::new(self.promise, items.collect())
+        List::new(Promise::F64, items.collect())
     }
 
     /// The value that is controlled where the path starts.

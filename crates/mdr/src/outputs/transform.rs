@@ -11,11 +11,11 @@ use super::key::Key;
 use super::room::{Facts, Open, Request, Room as IsRoom, Subject, not_wanted};
 use super::{Output, Want};
 #[cfg(feature = "mp")]
+use crate::answer::Number;
+#[cfg(feature = "mp")]
 use crate::answer::record::Numbers;
 use crate::answer::record::record;
-use crate::answer::{List, Value};
-#[cfg(feature = "mp")]
-use crate::answer::{Number, Promise};
+use crate::answer::{List, Promise, Value};
 #[cfg(feature = "mp")]
 use crate::solve::certified::Certified;
 use crate::solve::model::{Model, SceneReal};
@@ -101,7 +101,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
             slope: open.value(),
             integral: open.value(),
         };
-        Output::Transform(List::new(open.promise, self.at.iter().map(sample).collect()))
+        Output::Transform(List::new(Promise::F64, self.at.iter().map(sample).collect()))
     }
 }
 

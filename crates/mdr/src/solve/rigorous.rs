@@ -15,6 +15,7 @@ use mdr_numeric::table::Table;
 
 use super::certified::Certified;
 use super::digits::{MOST_OF_INTEGRALS, decide_within, start};
+use super::is_open;
 use super::model::Model;
 use super::proof::{Enclosed, controlled_exactly, reached};
 use crate::answer::record::Numbers;
@@ -243,8 +244,7 @@ where
         let mut one = |state: Equilibrium<Interval>, literal: &Literal| {
             let record = plain(&proved, state.clone(), literal, &scene.control);
             describe(&proved, &state, record.clone()).or_else(|error| {
-                let record =
-                    if is_of_one(&error) { open(&proved, &state, record, &error)? } else { return Err(error) };
+                let record = if is_open(&error) { open(&proved, &state, record, &error)? } else { return Err(error) };
                 left_open.push(error);
                 Ok(record)
             })
@@ -284,14 +284,6 @@ fn states_at(
         [] => Ok(first(model, branches, scene, &value)?.into_iter().collect()),
         _ => branches.equilibria(&value),
     }
-}
-
-/// Whether an error leaves other states as they are.
-fn is_of_one(error: &Error) -> bool {
-    matches!(
-        error,
-        Error::Undecided { .. } | Error::Unproved { .. } | Error::NoConvergence { .. } | Error::BudgetSpent { .. }
-    )
 }
 
 /// The equilibrium in which the path starts; `None` if the surfaces are apart.

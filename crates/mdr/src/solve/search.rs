@@ -161,11 +161,6 @@ pub(crate) fn list<T: Numbers<f64>>(records: Vec<T>) -> List<T::With<Number>> {
     List::new(Promise::F64, records.resolve(double))
 }
 
-/// A list of doubles, without their errors.
-pub(crate) fn estimates<T: Numbers<Estimate<f64>>>(records: Vec<T>) -> List<T::With<Number>> {
-    List::new(Promise::F64, doubles(records))
-}
-
 /// Doubles as they are printed; one that is no number is out of range.
 pub(crate) fn doubles<T: Numbers<Estimate<f64>>>(records: T) -> T::With<Number> {
     records.resolve(|Estimate { value, .. }| double(value))

@@ -335,7 +335,7 @@ impl<'w> IsRoom<'w> for Room {
 
     fn undecided(&self, open: &Open<'_>) -> Output {
         let path = PathNumbers { events: vec![undecided(open)], balance: None };
-        LoadingPath::new(open.promise, path, open.completeness()).into()
+        LoadingPath::new(Promise::F64, path, open.completeness()).into()
     }
 }
 
