@@ -25,8 +25,8 @@ use super::legendre;
 use crate::contact::{Error, Quantity, Result};
 use crate::number::{Analytic, DoubleInterval, Ends, Interval, Precision, Real, Rectangle};
 
-/// Bits of every bound: of M, of ranges and of remainders, whatever the precision of the nodes. They are found in doubles where these
-/// reach, which takes a tenth of the time.
+/// Bits of bounds: of M, of ranges and of remainders, whatever the precision of the nodes. What [is moderate](Integrand::is_moderate)
+/// is bounded in doubles.
 pub const BOUND_BITS: u32 = 64;
 
 /// Bits of nodes, of values and of sums which are doubles.

@@ -15,8 +15,7 @@ use super::{Interval, Precision};
 /// proof that every step lay within its domain, and comparison is certain or absent.
 ///
 /// Each end of + − × ÷ and √ is the rounded one or the next double outward. Elementary functions are those of `pxfm`, whose worst error
-/// is below one unit in the last place, widened by four of them. An operation takes some nanoseconds, where one of an [`Interval`]
-/// takes a hundred.
+/// is below one unit in the last place, widened by four of them.
 ///
 /// ```
 /// use mdr_core::number::{DoubleInterval, Interval, Precision, Real};
