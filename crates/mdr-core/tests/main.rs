@@ -10,6 +10,7 @@ mod contact_counted;
 mod contact_expression;
 mod contact_lowest;
 mod number_algebra;
+mod number_analytic;
 mod number_certify;
 mod number_containment;
 mod number_counted;

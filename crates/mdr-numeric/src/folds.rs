@@ -34,6 +34,8 @@ pub struct Folds<R> {
     pub poles: Vec<Fold<R>>,
     /// Folds whose force overflows or underflows, by increasing radius; only the radius is computed.
     pub out_of_range: Vec<OutOfRangeFold<R>>,
+    /// Radii where there is a fold, or a place where g has no value, that could not be located: g' is too inaccurate there.
+    pub unlocated: Vec<R>,
     /// Whether there may be more.
     pub completeness: SearchQuality,
 }
@@ -149,7 +151,7 @@ fn search<R: Real>(curve: &Contact<R>, reach: [f64; 2]) -> Result<Folds<R>> {
     survey.resolved &= extend_to_end(curve, ratio, &mut survey.crossings)?;
     let completeness = if survey.resolved { SearchQuality::Resolved } else { SearchQuality::Doubtful };
     let (folds, poles) = (Vec::with_capacity(survey.crossings.len()), Vec::new());
-    let mut found = Folds { folds, poles, out_of_range: Vec::new(), completeness };
+    let mut found = Folds { folds, poles, out_of_range: Vec::new(), unlocated: Vec::new(), completeness };
     for crossing in &survey.crossings {
         // The derivative of the controlled quantity has the sign of ratio − 1.
         let kind = if crossing.rising { FoldKind::Minimum } else { FoldKind::Maximum };
@@ -164,7 +166,10 @@ fn search<R: Real>(curve: &Contact<R>, reach: [f64; 2]) -> Result<Folds<R>> {
         };
         match added {
             // Neither a fold nor a known pole; or g' is too inaccurate to locate the fold.
-            Err(Error::Domain { .. } | Error::NoConvergence { .. }) => found.completeness = SearchQuality::Doubtful,
+            Err(Error::Domain { .. } | Error::NoConvergence { .. }) => {
+                found.unlocated.push(crossing.lower.clone());
+                found.completeness = SearchQuality::Doubtful;
+            }
             added => added?,
         }
     }

@@ -158,7 +158,7 @@ impl Scene {
         let open = "the folds are not proved to be all, and a certificate would be incomplete";
         let refuse = |why: &str| self.places.of("output.want").refuse(why.to_owned());
         let proof = certified.fold_proof().map_err(Error::from)?.ok_or_else(|| refuse(open))?;
-        let FoldProof { proved, complete } = proof;
+        let FoldProof { proved, complete, .. } = proof;
         if !complete.proved {
             return Err(refuse(&format!("{open}: {}", complete.why)));
         }

@@ -46,7 +46,7 @@ mod mp;
 mod real;
 
 #[cfg(feature = "mp")]
-pub use analytic::{Analytic, Ends, Euler, Rectangle};
+pub use analytic::{Analytic, Ends, Euler, NearZero, Rectangle};
 #[cfg(feature = "mp")]
 pub use counted::RoundingCount;
 pub use decimal::Decimal;

@@ -9,14 +9,14 @@ use crate::folds::Folds;
 const MARGIN: f64 = 4.0;
 
 /// A range for [`EnclosedCurve::folds`](super::EnclosedCurve::folds): the kinks of g and the results of the search in
-/// `f64` (folds, poles and folds whose force is out of range), extended by a factor `reach` on both sides. Around w/E*
+/// `f64` (folds, poles, folds whose force is out of range and those not located), extended by a factor `reach` on both sides. Around w/E*
 /// if nothing was found, or around half the outer radius if that is smaller. It includes the radii `visited`, by a
 /// factor of four, and the outer radius.
 pub fn range(curve: &Contact<f64>, found: &Folds<f64>, reach: f64, visited: &[f64]) -> (f64, f64) {
     let transform = curve.transform();
     let radius = |fold: &Fold<f64>| fold.contact_radius;
     let mut radii: Vec<f64> = found.folds.iter().chain(&found.poles).map(radius).collect();
-    radii.extend(found.out_of_range.iter().map(|fold| fold.contact_radius));
+    radii.extend(found.out_of_range.iter().map(|fold| fold.contact_radius).chain(found.unlocated.iter().copied()));
     if radii.is_empty() {
         let length = curve.material_length();
         radii.push(transform.outer_radius().map_or(length, |outer| length.min(outer / 2.0)));

@@ -32,6 +32,7 @@ use crate::solve::{
     digits::decide,
     power_law::{self, PowerLaw},
     proof::{self, Enclosed, FoldProof},
+    sample,
 };
 
 record! {
@@ -101,7 +102,10 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn visited(&self, search: &Search<'_>) -> Vec<f64> {
-        search.states().map_or_else(|_| Vec::new(), |states| states.radii_at(self.at))
+        let radii = search.states().map_or_else(|_| Vec::new(), |states| states.radii_at(self.at));
+        // Of waves without end there is one more state in each.
+        let end = sample::end_of_proof(search).ok().flatten().unwrap_or(f64::INFINITY);
+        radii.into_iter().filter(|radius| *radius < end).collect()
     }
 
     #[cfg(feature = "mp")]
@@ -117,7 +121,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
         let Some(folds) = certified.fold_proof()? else { return Ok(None) };
         let list = match proved_at(certified, folds, self.at)? {
-            Some(items) => List::new(Promise::Certified, items).complete(complete(certified, folds)),
+            Some(items) => List::new(Promise::Certified, items).complete(complete(folds)),
             None if folds.complete.proved && self.at.len() > 1 => one_by_one(certified, folds, self.at)?,
             None => return Ok(None),
         };
@@ -177,9 +181,9 @@ fn one_by_one(certified: &Certified<'_>, folds: &FoldProof, values: &[Literal]) 
 
 /// The completeness of proved equilibria.
 #[cfg(feature = "mp")]
-fn complete(certified: &Certified<'_>, folds: &FoldProof) -> Completeness {
+fn complete(folds: &FoldProof) -> Completeness {
     let mut why = "one equilibrium at most between two folds, and the folds are proved to be all".to_owned();
-    if certified.scene.range.is_some() {
+    if folds.limits.is_some() {
         why += "; equilibria with other radii are not listed";
     }
     Completeness { why, ..folds.complete.clone() }
@@ -196,7 +200,7 @@ fn proved_at(
     folds: &FoldProof,
     values: &[Literal],
 ) -> Result<Option<Vec<AtValue<Equilibrium>>>> {
-    let limits = certified.scene.range.as_ref();
+    let limits = folds.limits.as_ref();
     let items = decide(certified.digits, |precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;

@@ -1,6 +1,6 @@
 //! The contact over enclosures, and all its folds on a range of radii, on which the proofs of other outputs rest.
 
-use mdr_core::contact::{Control, Error, Result};
+use mdr_core::contact::{Control, Error, Fold, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::admissible::Admissibility;
@@ -11,19 +11,24 @@ use rug::float::Round;
 use super::certified::Certified;
 use super::digits::start;
 use super::model::{Model, SceneReal};
-use super::sample;
+use super::sample::{self, Range};
 use super::weight::weight_of_height;
 use crate::answer::{Completeness, Number, Value};
 use crate::scene::Scene;
 
 /// Bits in which folds are isolated; they are sharpened afterwards.
 const ISOLATION: u32 = 64;
+/// The most bits by which it is finer where terms of a formula cancel.
+const MOST_LOST: u32 = 4 * ISOLATION;
 /// Bits up to which folds are sharpened at once to those of the answer: there an evaluation costs little more than in those of the isolation.
 const FINEST: u32 = 128;
 /// Evaluations that the isolation may spend between two kinks.
 const BUDGET: usize = 4_000_000;
 /// The budget between two rows of a table, where an evaluation is a sum over all rows and one fold the rule.
 const BUDGET_OF_ROWS: usize = 10_000;
+
+/// Where folds are seen beyond the range of a proof.
+const BEYOND: &str = "; beyond this range a search in f64 sees more, and `folds.range` asks for them";
 
 /// The contact over enclosures, and over enclosures with derivatives.
 pub(crate) struct Enclosed {
@@ -54,6 +59,8 @@ pub(crate) struct FoldProof {
     pub(crate) proved: ProvedFolds,
     /// The completeness of the folds in the range.
     pub(crate) complete: Completeness,
+    /// The range, if states beyond it are not looked for.
+    pub(crate) limits: Option<[Literal; 2]>,
 }
 
 impl FoldProof {
@@ -62,10 +69,11 @@ impl FoldProof {
     /// # Errors
     /// A range out of its domain; errors of the transform. See [`EnclosedCurve::folds`].
     pub(crate) fn new(certified: &Certified<'_>) -> Result<Self> {
-        let range = range(certified)?;
+        let Range { ends: range, is_limit } = range(certified)?;
         let mut enclosed = Enclosed::new(certified, Precision::new(ISOLATION))?;
         // Cells as close to an equator as folds may be.
         let bits = ISOLATION.max(3 * enclosed.curve().octaves_to_equator()? - ISOLATION);
+        let bits = bits + lost_bits(certified, &range[0])?;
         let precision = Precision::new(bits);
         if bits > ISOLATION {
             enclosed = Enclosed::new(certified, precision)?;
@@ -79,6 +87,7 @@ impl FoldProof {
             curve = curve.with_fine(Enclosed::new(certified, asked)?.curve());
         }
         let proved = curve.folds(lower.lower(), upper.upper(), budget_of_folds(certified.scene))?;
+        let limits = is_limit.then(|| range.clone());
         let [from, to] = range;
         let to = match enclosed.value.contact().vertical_edge() {
             Some(outer_edge) if *outer_edge.lower() < *upper.upper() => Number::F64(outer_edge.approx()).to_string(),
@@ -91,15 +100,38 @@ impl FoldProof {
         } else {
             (Some(from.to_string()), Some(to))
         };
-        let complete = Completeness {
-            proved: proved.is_complete(),
-            from,
-            to,
-            why: reason(&proved),
-            undecided: !proved.undecided.is_empty(),
-        };
-        Ok(FoldProof { proved, complete })
+        let why = reason(&proved) + if is_given { "" } else { beyond(certified, &proved)? };
+        let complete =
+            Completeness { proved: proved.is_complete(), from, to, why, undecided: !proved.undecided.is_empty() };
+        Ok(FoldProof { proved, complete, limits })
     }
+}
+
+/// The bits by which the isolation is finer where the terms of a formula cancel towards the axis: such as x g' needs at the least radius.
+fn lost_bits(certified: &Certified<'_>, least: &Literal) -> Result<u32> {
+    if !certified.scene.profile.has_formula() || certified.scene.pressed_into().is_periodic() {
+        return Ok(0);
+    }
+    let is_accurate = |more: u32| {
+        let precision = Precision::new(ISOLATION + more);
+        let enclosed = Enclosed::new(certified, precision)?;
+        let radius = enclosed.value.size(least)?;
+        let slope = enclosed.value.contact().transform().slope(&radius);
+        Ok(decided(slope)?.is_none_or(|slope| slope.accuracy_bits() > i64::from(ISOLATION / 2)))
+    };
+    for more in (0..=MOST_LOST).step_by(ISOLATION as usize) {
+        if is_accurate(more)? {
+            return Ok(more);
+        }
+    }
+    Ok(0)
+}
+
+/// What is said of folds beyond a range that was chosen.
+fn beyond(certified: &Certified<'_>, proved: &ProvedFolds) -> Result<&'static str> {
+    let folds = certified.search()?.folds()?;
+    let is_beyond = |fold: &Fold<f64>| fold.contact_radius > proved.range.1;
+    Ok(if folds.iter().any(is_beyond) { BEYOND } else { "" })
 }
 
 /// The evaluations that the isolation of folds may spend between two kinks.
@@ -108,13 +140,11 @@ pub(crate) fn budget_of_folds(scene: &Scene) -> usize {
 }
 
 /// The range that the scene names, else one with all folds that were found in f64.
-fn range(certified: &Certified<'_>) -> Result<[Literal; 2]> {
-    if let Some(range) = &certified.scene.range {
-        return Ok(range.clone());
+fn range(certified: &Certified<'_>) -> Result<Range> {
+    if let Some(ends) = certified.scene.range.clone() {
+        return Ok(Range { ends, is_limit: true });
     }
-    let search = certified.search()?;
-    let by_integrals = certified.scene.profile.has_formula() || certified.scene.is_by_integrals();
-    sample::range(&search.model, search.folds()?, &search.visited(), by_integrals)
+    sample::range(certified.search()?)
 }
 
 /// Admissibility on a medium where g is an integral that is proved to fall nowhere: no extrema on the range of the folds, and a rise beyond.
@@ -123,7 +153,7 @@ fn range(certified: &Certified<'_>) -> Result<[Literal; 2]> {
 /// # Errors
 /// Errors of the search for folds; a parameter out of its domain.
 pub(super) fn of_proved_rise(certified: &Certified<'_>) -> Result<Option<Admissibility>> {
-    let range = range(certified)?;
+    let range = range(certified)?.ends;
     let precision = Precision::new(ISOLATION);
     let curve = Enclosed::new(certified, precision)?.curve();
     let proved = curve.plain().transform();

@@ -7,6 +7,8 @@ use mdr_numeric::folds::Folds;
 use mdr_numeric::proof;
 
 use super::model::Model;
+#[cfg(feature = "mp")]
+use super::search::Search;
 
 /// Points of a curve.
 const POINTS: usize = 41;
@@ -21,6 +23,9 @@ const REACH_OF_INTEGRALS: f64 = 10.0;
 /// The share of the rest up to an outer radius that is left out where g is an integral, inverse.
 #[cfg(feature = "mp")]
 const OF_THE_REST: f64 = 8.0;
+/// So many folds are proved where g is an integral: those of waves without end are ever more work.
+#[cfg(feature = "mp")]
+const FOLDS_OF_INTEGRALS: usize = 8;
 /// How close to the outer radius of a profile.
 const RIM: f64 = 1e-6;
 
@@ -49,21 +54,50 @@ pub(crate) fn radii(model: &Model<f64>, folds: &Folds<f64>) -> Result<Vec<Litera
     (0..POINTS).map(|i| decimal(model.contact_radius(&(lower * (step * i as f64).exp())), 4)).collect()
 }
 
+/// A range of contact radii on which folds are proved.
 #[cfg(feature = "mp")]
-/// The range of contact radii on which all folds are to be proved: far around the folds found in f64 and the kinks, and with the
-/// radii to which the scene leads, to powers of ten; less far where g is an integral.
+pub(crate) struct Range {
+    pub(crate) ends: [Literal; 2],
+    /// Whether states beyond it are not looked for.
+    pub(crate) is_limit: bool,
+}
+
+/// Where the proof of folds ends where g is an integral, if there are more of them than it should find: between two of them.
 ///
 /// # Errors
-/// When w/E* or a fold is out of the range of f64.
-pub(crate) fn range(
-    model: &Model<f64>,
-    folds: &Folds<f64>,
-    visited: &[f64],
-    by_integrals: bool,
-) -> Result<[Literal; 2]> {
+/// Errors of the search for folds.
+#[cfg(feature = "mp")]
+pub(crate) fn end_of_proof(search: &Search<'_>) -> Result<Option<f64>> {
+    if !is_by_integrals(search) {
+        return Ok(None);
+    }
+    let folds = search.folds()?;
+    let between = |last: &Fold<f64>, next: &Fold<f64>| (last.contact_radius * next.contact_radius).sqrt();
+    Ok(folds.get(FOLDS_OF_INTEGRALS).map(|next| between(&folds[FOLDS_OF_INTEGRALS - 1], next)))
+}
+
+/// Whether g is an integral over the profile, whose cost grows with the waves inside the radius.
+#[cfg(feature = "mp")]
+fn is_by_integrals(search: &Search<'_>) -> bool {
+    search.scene.profile.has_formula() || search.scene.is_by_integrals()
+}
+
+#[cfg(feature = "mp")]
+/// The range of contact radii on which all folds are to be proved: far around the folds found in f64 and the kinks, and with the
+/// radii to which the scene leads, to powers of ten; less far where g is an integral, and not beyond [`end_of_proof`] unless the
+/// scene leads there.
+///
+/// # Errors
+/// When w/E* or a fold is out of the range of f64; errors of the search for folds.
+pub(crate) fn range(search: &Search<'_>) -> Result<Range> {
+    let (model, folds, visited) = (&search.model, search.folds()?, &search.visited());
+    let by_integrals = is_by_integrals(search);
     let reach = if by_integrals { REACH_OF_INTEGRALS } else { REACH };
     let (lower, upper) = proof::range(&model.contact(), folds, reach, visited);
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);
+    if let Some(end) = end_of_proof(search)?.filter(|end| visited.iter().all(|radius| radius < end)) {
+        return Ok(Range { ends: [power(lower)?, decimal(end, 3)?], is_limit: true });
+    }
     let outer = model.transform().outer_radius().filter(|_| by_integrals);
     // Towards an end where g may diverge integrals take ever more pieces.
     let radii = folds.iter().map(|fold| fold.contact_radius).chain(visited.iter().copied());
@@ -75,5 +109,5 @@ pub(crate) fn range(
         }
         _ => power(upper)?,
     };
-    Ok([power(lower)?, upper])
+    Ok(Range { ends: [power(lower)?, upper], is_limit: false })
 }

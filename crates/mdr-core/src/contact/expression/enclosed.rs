@@ -1,6 +1,7 @@
 //! A formula over sets of numbers, cut where it is not smooth: what a rigorous integral of it needs.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use rug::Float;
 
@@ -54,6 +55,8 @@ pub struct FormulaPart {
     pub(super) trees: [Node<Interval>; 2],
     /// Likewise in q = r^(1/k), with k.
     pub(super) rooted: Option<(u32, [Node<Interval>; 2])>,
+    /// See [`FormulaPart::cleared`].
+    pub(super) cleared: Option<Arc<FormulaPart>>,
 }
 
 impl Expression {
@@ -83,11 +86,23 @@ impl EnclosedFormula {
         let bound = |root: &Node<Constant>| [BOUND_BITS, bits].map(|bits| root.bound::<Interval>(Precision::new(bits)));
         let trees = bound(root);
         // Only next to the axis, and with a tree that needs no signs of its parts.
-        let rooted = if root.is_smooth() && places.is_empty() { root.in_root() } else { None };
-        let rooted = rooted.map(|(k, root)| (k, bound(&root).map(|tree| tree.folded())));
+        let folded = |root: &Node<Constant>| bound(root).map(|tree| tree.folded());
+        let at_axis = if root.is_smooth() && places.is_empty() { Some((root, root.in_root())) } else { None };
+        let cleared = at_axis.as_ref().and_then(|(root, in_root)| {
+            let (trees, rooted) = match in_root {
+                Some((k, root)) => (trees.clone(), Some((*k, folded(&root.cleared()?)))),
+                None => (folded(&root.cleared()?), None),
+            };
+            Some(Arc::new(FormulaPart { trees, rooted, cleared: None }))
+        });
+        let rooted = at_axis.and_then(|(_, in_root)| in_root).map(|(k, root)| (k, folded(&root)));
         let part = |radius: &Option<Interval>| {
             let [low, high] = trees.each_ref().map(|own| own.resolved(&tree, radius.as_ref()?));
-            Some(FormulaPart { trees: [low?.folded(), high?.folded()], rooted: rooted.clone() })
+            Some(FormulaPart {
+                trees: [low?.folded(), high?.folded()],
+                rooted: rooted.clone(),
+                cleared: cleared.clone(),
+            })
         };
         let parts = samples.iter().map(part).collect();
         let (mut located, mut jumps) = (Vec::new(), Vec::new());
@@ -183,6 +198,25 @@ impl FormulaPart {
     pub fn at_root<T: Analytic>(&self, q: &T) -> Option<T> {
         let (_, trees) = self.rooted.as_ref()?;
         trees[usize::from(q.bits() > BOUND_BITS)].analytic(q)
+    }
+
+    /// The formula without its divisions by powers of r, if it has any: where that is analytic, so is this one also at r = 0, which
+    /// [`FormulaPart::at`] does not see.
+    ///
+    /// ```
+    /// use mdr_core::contact::Expression;
+    /// use mdr_core::number::{Interval, Precision, Real, Rectangle};
+    /// let (formula, none): (Expression, _) = ("(1 - cos(r))/r".parse()?, Default::default());
+    /// let precision = Precision::new(64);
+    /// let enclosed = formula.enclosed(&none, &formula.breaks(&none)?, precision)?;
+    /// let part = enclosed.part(0).expect("smooth");
+    /// let around_zero = Interval::from_int(precision, -1).hull(&Interval::from_int(precision, 1));
+    /// let disc = Rectangle::new(around_zero.clone(), around_zero);
+    /// assert!(part.at(&disc).is_none() && part.cleared().is_some_and(|part| part.at(&disc).is_some()));
+    /// # Ok::<(), mdr_core::contact::ExpressionError>(())
+    /// ```
+    pub fn cleared(&self) -> Option<&FormulaPart> {
+        self.cleared.as_deref()
     }
 
     /// (r f')' = f' + r f'' over a cell of radii, which may begin at 0; `None` where it is not bounded.

@@ -10,6 +10,8 @@ mod enclosed;
 mod jet;
 #[cfg(feature = "mp")]
 mod lowest;
+#[cfg(feature = "mp")]
+mod meromorphic;
 mod parse;
 #[cfg(feature = "mp")]
 mod pieces;
@@ -18,6 +20,7 @@ mod powers;
 #[cfg(feature = "mp")]
 mod rooted;
 mod shapes;
+mod steady;
 #[cfg(feature = "mp")]
 mod switch;
 
@@ -161,6 +164,9 @@ impl<R: Special> Node<R> {
             let amplified = x.largest_term(r) / inner;
             if amplified > amplified.lit(1) { value.abs() * amplified } else { value.abs() }
         };
+        if let Some(departure) = self.departure() {
+            return through(departure.argument(), self.value(r));
+        }
         match self {
             Node::Variable => r.abs(),
             Node::Constant(constant) => constant.abs(),
@@ -176,6 +182,9 @@ impl<R: Special> Node<R> {
     }
 
     fn value<S: Lift<R>>(&self, r: &S) -> S {
+        if let Some(departure) = self.departure() {
+            return departure.value(r);
+        }
         match self {
             Node::Variable => r.clone(),
             Node::Constant(constant) => S::lift(constant),

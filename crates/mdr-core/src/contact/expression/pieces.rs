@@ -44,7 +44,11 @@ impl EnclosedFormula {
 impl LocalPolynomial {
     fn part(&self) -> FormulaPart {
         let bits = self.width.precision();
-        FormulaPart { trees: [BOUND_BITS, bits].map(|bits| self.tree(Precision::new(bits))), rooted: None }
+        FormulaPart {
+            trees: [BOUND_BITS, bits].map(|bits| self.tree(Precision::new(bits))),
+            rooted: None,
+            cleared: None,
+        }
     }
 
     /// By Horner, in a precision.

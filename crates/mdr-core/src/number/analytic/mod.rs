@@ -2,10 +2,12 @@
 
 mod ends;
 mod euler;
+mod near_zero;
 mod rectangle;
 
 pub use ends::Ends;
 pub use euler::Euler;
+pub use near_zero::NearZero;
 pub use rectangle::Rectangle;
 
 use super::{Interval, Precision, Real};
@@ -72,6 +74,13 @@ pub trait Analytic: Clone {
     fn atanh(&self) -> Option<Self>;
     /// Whether both ends of every part are numbers.
     fn is_bounded(&self) -> bool;
+
+    /// Enclosures over the set of functions that are analytic inside, and continuous up to the boundary, of it and its conjugate together, and
+    /// that take conjugate values at conjugate points: from their `values` on the boundary, by the maximum principle for real and imaginary
+    /// parts. `None` over a real interval, which has no inside, and where a value is `None`.
+    fn by_boundary(&self, _values: impl Fn(&Self) -> Option<Vec<Self>>) -> Option<Vec<Self>> {
+        None
+    }
 
     /// An integer.
     fn integer(&self, value: i64) -> Self {

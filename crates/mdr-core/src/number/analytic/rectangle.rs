@@ -63,6 +63,23 @@ impl<I: Ends> Rectangle<I> {
         Some(Rectangle { re: if is_root { zero.hull(&size) } else { far.clone() }, im: far })
     }
 
+    /// The boundary, without the real axis, of the rectangle and its conjugate together: that of its upper half in pieces.
+    fn upper_boundary(&self) -> Vec<Self> {
+        let far = self.im.abs().ends()[1].clone();
+        let [left, right] = self.re.ends();
+        let zero = far.lit(0);
+        let top = pieces(&left, &right, PIECES_OF_BOUNDARY).into_iter().map(|re| Rectangle { re, im: far.clone() });
+        let sides = pieces(&zero, &far, PIECES_OF_BOUNDARY / 2);
+        let at = |re: &I| sides.iter().map(|im| Rectangle { re: re.clone(), im: im.clone() }).collect::<Vec<_>>();
+        top.chain(at(&left)).chain(at(&right)).collect()
+    }
+
+    /// The smallest rectangle that contains both, and their conjugates.
+    fn hull_with_conjugates(&self, other: &Self) -> Self {
+        let im = self.im.hull(&other.im);
+        Rectangle { re: self.re.hull(&other.re), im: im.hull(&-im.clone()) }
+    }
+
     /// iz.
     fn turned(&self) -> Self {
         Rectangle { re: -self.im.clone(), im: self.re.clone() }
@@ -79,6 +96,17 @@ impl<I: Ends> Rectangle<I> {
         let at = |y: &I| y.angle(&left).hull(&y.angle(&right));
         at(&low).hull(&at(&high))
     }
+}
+
+/// Pieces into which the longer side of a boundary is cut.
+const PIECES_OF_BOUNDARY: i64 = 8;
+
+/// Enclosures of the parts between two numbers, of one length.
+fn pieces<I: Ends>(from: &I, to: &I, count: i64) -> Vec<I> {
+    let length = to.clone() - from;
+    let places: Vec<I> = (1..count).map(|k| length.clone().times(k).over(count) + from).chain([to.clone()]).collect();
+    let before = std::iter::once(from).chain(&places);
+    before.zip(&places).map(|(one, other)| one.hull(other)).collect()
 }
 
 /// The least number ≥ 0 and the greatest that √((|z| ± x)/2) takes at x + iy: the real part of √z for +, |imaginary part|
@@ -192,6 +220,13 @@ impl<I: Ends> Analytic for Rectangle<I> {
     }
     fn is_bounded(&self) -> bool {
         self.re.is_bounded() && self.im.is_bounded()
+    }
+    fn by_boundary(&self, values: impl Fn(&Self) -> Option<Vec<Self>>) -> Option<Vec<Self>> {
+        let mut edges = self.upper_boundary().into_iter().map(|edge| values(&edge));
+        let first = edges.next()??;
+        edges.try_fold(first, |hull, values| {
+            Some(hull.iter().zip(&values?).map(|(one, other)| one.hull_with_conjugates(other)).collect())
+        })
     }
     fn integer(&self, value: i64) -> Self {
         Rectangle { re: self.re.lit(value), im: self.im.lit(0) }

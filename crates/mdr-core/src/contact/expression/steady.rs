@@ -1,0 +1,190 @@
+//! Differences such as exp(u) − 1 that cancel where u is small, computed without the cancellation.
+
+use super::{Function, Node, Operator};
+use crate::number::{Lift, Special};
+
+/// A difference f(u) − f(0) of a function whose form allows another way to compute it, or ln(1 + u).
+pub(super) struct Departure<'a, R> {
+    kind: Kind<'a, R>,
+    u: &'a Node<R>,
+    /// Whether −u is the argument,
+    falls: bool,
+    /// and whether the difference is f(0) − f(u).
+    is_reversed: bool,
+}
+
+enum Kind<'a, R> {
+    Exponential,
+    Cosine,
+    HyperbolicCosine,
+    Logarithm,
+    /// √(b² + u) − b.
+    Root(&'a Node<R>),
+}
+
+impl<R: Special> Node<R> {
+    /// The formula as such a difference, if it has its form.
+    pub(super) fn departure(&self) -> Option<Departure<'_, R>> {
+        match self {
+            Node::Function(Function::Ln, inner) => {
+                let (_, u, falls) = inner.parts_of_sum().find(|(one, ..)| one.is_one())?;
+                Some(Departure { kind: Kind::Logarithm, u, falls, is_reversed: false })
+            }
+            Node::Operation(Operator::Subtract, a, b) => {
+                a.less(b).or_else(|| b.less(a).map(|difference| Departure { is_reversed: true, ..difference }))
+            }
+            _ => None,
+        }
+    }
+
+    /// The difference f(u) − f(0), if this is f(u), with the other as f(0).
+    fn less<'a>(&'a self, other: &'a Node<R>) -> Option<Departure<'a, R>> {
+        let (kind, u, falls) = match self {
+            Node::Function(Function::Exp, u) if other.is_one() => (Kind::Exponential, &**u, false),
+            Node::Function(Function::Cos, u) if other.is_one() => (Kind::Cosine, &**u, false),
+            Node::Function(Function::Cosh, u) if other.is_one() => (Kind::HyperbolicCosine, &**u, false),
+            Node::Function(Function::Sqrt, inner) => {
+                let (_, u, falls) = inner.parts_of_sum().find(|(square, ..)| square.is_square_of(other))?;
+                (Kind::Root(other), u, falls)
+            }
+            _ => return None,
+        };
+        Some(Departure { kind, u, falls, is_reversed: false })
+    }
+
+    /// Of a sum or difference one part, the other, and whether the other is subtracted.
+    fn parts_of_sum(&self) -> impl Iterator<Item = (&Node<R>, &Node<R>, bool)> {
+        let (added, swapped) = match self {
+            Node::Operation(Operator::Add, a, b) => (Some((&**a, &**b, false)), Some((&**b, &**a, false))),
+            Node::Operation(Operator::Subtract, a, b) => (Some((&**a, &**b, true)), None),
+            _ => (None, None),
+        };
+        added.into_iter().chain(swapped)
+    }
+
+    fn is_one(&self) -> bool {
+        matches!(self, Node::Constant(constant) if *constant == constant.lit(1))
+    }
+
+    /// Whether it is seen to be the square of a constant that is not negative.
+    fn is_square_of(&self, root: &Node<R>) -> bool {
+        let Node::Constant(value) = root else { return false };
+        let is_square = match self {
+            Node::Constant(square) => *square == value.square(),
+            Node::Power(base, 2) => **base == *root,
+            Node::Operation(Operator::Multiply, a, b) => **a == *root && **b == *root,
+            _ => false,
+        };
+        is_square && *value >= value.lit(0)
+    }
+}
+
+impl<R: Special> Departure<'_, R> {
+    /// The argument u, whose rounding errors are those of the value.
+    pub(super) fn argument(&self) -> &Node<R> {
+        self.u
+    }
+
+    pub(super) fn value<S: Lift<R>>(&self, r: &S) -> S {
+        let u = self.u.value(r);
+        let u = if self.falls { -u } else { u };
+        let value = self.kind.value(&u, r);
+        if self.is_reversed { -value } else { value }
+    }
+}
+
+impl<R: Special> Kind<'_, R> {
+    /// By the other way only where u is small: elsewhere less than three bits cancel, and enclosures are tighter as written.
+    fn value<S: Lift<R>>(&self, u: &S, r: &S) -> S {
+        let is_small = u.value_of().abs() < u.value_of().ratio(1, 2);
+        let (one, half) = (u.lit(1), || u.clone().over(2));
+        match self {
+            Kind::Exponential if is_small => (half().exp() * half().sinh()).times(2),
+            Kind::Exponential => u.exp() - one,
+            Kind::Cosine if is_small => -half().sin().square().times(2),
+            Kind::Cosine => u.cos() - one,
+            Kind::HyperbolicCosine if is_small => half().sinh().square().times(2),
+            Kind::HyperbolicCosine => u.cosh() - one,
+            Kind::Logarithm if is_small => (u.clone() / (u.lit(2) + u)).atanh().times(2),
+            Kind::Logarithm => (one + u).ln(),
+            Kind::Root(base) => {
+                let base = base.value(r);
+                let square = base.square();
+                let root = (square.clone() + u).sqrt();
+                let is_small = u.value_of().abs() < square.value_of().over(2);
+                if is_small { u.clone() / (root + base) } else { root - base }
+            }
+        }
+    }
+}
+
+#[cfg(all(test, feature = "mp"))]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use rug::Float;
+
+    use super::super::{Expression, Profile};
+    use crate::number::{Dual, Interval, Precision, Real};
+
+    const FORMS: [&str; 12] = [
+        "exp(r^2) - 1",
+        "1 - exp(-r^2)",
+        "3*(1 - cos(r))",
+        "cosh(2*r) - 1",
+        "ln(1 + r^2)",
+        "ln(r^2 + 1)/2",
+        "-ln(1 - r^2)",
+        "sqrt(1 + r^2) - 1",
+        "1 - sqrt(1 - r^2)",
+        "0.3 - sqrt(0.3^2 - r^2)",
+        "sqrt(r*r + 0.3*0.3) - 0.3",
+        "sqrt(4 + r^2) - 2",
+    ];
+
+    fn exact(formula: &Expression, r: f64) -> [Float; 2] {
+        let precision = Precision::new(2000);
+        let profile = formula.bind::<Float>(precision, &BTreeMap::new()).expect("bound");
+        let f = profile.height(&Dual::variable(Float::with_val(2000, r)));
+        [f.value, f.slope]
+    }
+
+    #[test]
+    fn small_differences_keep_their_digits() {
+        for text in FORMS {
+            let formula: Expression = text.parse().expect("a formula");
+            let profile = formula.bind::<f64>((), &BTreeMap::new()).expect("bound");
+            for r in [1e-12, 1e-9, 1e-6, 1e-3, 0.03, 0.2, 0.29] {
+                let f = profile.height(&Dual::variable(r));
+                for (got, truth) in [f.value, f.slope].into_iter().zip(exact(&formula, r)) {
+                    let error = ((got - truth.clone()) / truth).to_f64();
+                    // A few roundings, and where the other way begins three bits that cancel.
+                    assert!(error.abs() < 16.0 * f64::EPSILON, "{text} at {r}: {error:e}");
+                }
+                let largest = profile.largest_term(&r).expect("of a formula");
+                assert!(largest <= 2.0 * f.value.abs(), "{text} at {r}: {largest:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn enclosures_hold_and_do_not_widen() {
+        // Enclosures of 0.3 are not seen to be the same number.
+        for text in FORMS.into_iter().filter(|text| !text.contains("0.3")) {
+            let formula: Expression = text.parse().expect("a formula");
+            let profile = formula.bind::<Interval>(Precision::new(64), &BTreeMap::new()).expect("bound");
+            for (r, width) in [(1e-9, 1e-12), (1e-3, 1e-6), (0.2, 0.001), (0.2, 0.05)] {
+                let cell =
+                    Interval::from_f64(Precision::new(64), r).hull(&Interval::from_f64(Precision::new(64), r + width));
+                let f = profile.height(&Dual::variable(cell));
+                let [low, high] = [exact(&formula, r), exact(&formula, r + width)];
+                for ((got, low), high) in [f.value, f.slope].iter().zip(&low).zip(&high) {
+                    assert!(got.contains(low) && got.contains(high), "{text} at {r} + {width}");
+                    let widening =
+                        Float::with_val(64, got.upper() - got.lower()) / Float::with_val(64, high - low).abs();
+                    assert!(widening < 4.0, "{text} at {r} + {width}: {widening}");
+                }
+            }
+        }
+    }
+}
