@@ -22,18 +22,24 @@ proptest! {
     /// The values on the boundary bound those inside.
     #[test]
     fn the_boundary_bounds_the_inside(
-        left in -2.0..-0.01, right in 0.01..2.0, high in 0.01..2.0, u in 0.0..1.0, v in -1.0..1.0,
+        left in -2.0..-0.01, right in 0.01..2.0, high in 0.01..2.0, u in 0.0..1.0f64, v in -1.0..1.0,
     ) {
         let set = Rectangle::new(number(left).hull(&number(right)), number(0.0).hull(&number(high)));
         prop_assert!(quotients(&set).is_none());
-        let bounds = set.by_boundary(quotients).unwrap();
+        let bounds = set.by_boundary(|_| true, quotients).unwrap();
         let inside = Rectangle::new(number(left + (right - left) * u), number(high * v));
+        prop_assert!(set.by_boundary(|_| false, quotients).is_none());
         if let Some(values) = quotients(&inside) {
             for (bound, value) in bounds.iter().zip(&values) {
                 prop_assert!(bound.re().overlaps(value.re()) && bound.im().overlaps(value.im()));
             }
         }
         prop_assert!(bounds.iter().all(Rectangle::is_bounded));
+        let radii = number(0.0).hull(&number(right));
+        let bounds = radii.by_boundary(|_| true, quotients).unwrap();
+        for (bound, value) in bounds.iter().zip(quotients(&number(right * u.max(1e-3))).unwrap()) {
+            prop_assert!(bound.overlaps(&value) && Real::is_finite(bound));
+        }
     }
 
     /// Powers and logarithms, with three Euler derivatives, at radii below the end.
@@ -55,7 +61,7 @@ proptest! {
         }
         let (n, m) = (i64::from(n), i64::from(m));
         let end = number(f64::exp(end));
-        let known = functions(&Euler::variable(&NearZero::up_to(&end).unwrap(), 3), n, m).unwrap();
+        let known = functions(&Euler::variable(&NearZero::up_to(&end.lit(1), &end).unwrap(), 3), n, m).unwrap();
         let r = end * number((-share).exp());
         let values = functions(&Euler::variable(&r, 3), n, m).unwrap();
         for (index, (known, value)) in known.iter().zip(&values).enumerate() {

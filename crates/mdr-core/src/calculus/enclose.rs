@@ -44,11 +44,6 @@ pub trait Integrand {
     /// The values at t, or enclosures over a set of t; `None` where one is not defined or not shown to be analytic.
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>>;
 
-    /// Enclosures over (0, t] for an interval that begins at 0, where [`Integrand::at`] knows none: of what has a logarithm there.
-    fn beside_zero(&self, _t: &Interval) -> Option<Vec<Interval>> {
-        None
-    }
-
     /// Whether its numbers are far from the ends of the range of doubles, in which they may be bounded then.
     fn is_moderate(&self) -> bool {
         false
@@ -96,8 +91,7 @@ impl<F: Integrand> Sampled for F {
     }
 
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
-        let is_at_zero = || *t.lower() == 0 && *t.upper() > 0;
-        self.at(t).or_else(|| if is_at_zero() { self.beside_zero(t) } else { None })
+        self.at(t)
     }
 
     fn range_in_doubles(&self, t: &DoubleInterval) -> Option<Vec<DoubleInterval>> {

@@ -70,6 +70,11 @@ pub trait Real:
         Self::from_int(self.ctx(), value)
     }
 
+    /// Whether it is certainly this integer.
+    fn is_integer(&self, value: i64) -> bool {
+        *self == self.lit(value)
+    }
+
     /// The fraction `numerator/denominator` in the precision of `self`.
     fn ratio(&self, numerator: i64, denominator: i64) -> Self {
         self.lit(numerator).over(denominator)

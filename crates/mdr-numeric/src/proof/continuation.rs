@@ -160,6 +160,23 @@ impl Continuation {
         sum(values)
     }
 
+    /// f after so many kinks with its Euler derivatives, over a set of radii that may hold the axis.
+    pub(super) fn heights<T: Analytic>(&self, r: &T, order: usize, beyond: usize) -> Option<Euler<T>> {
+        self.count::<T>();
+        let values = self.terms.iter().map(|term| term.part(self.index(term, beyond))?.derivatives_at(r, order));
+        sum(values)
+    }
+
+    /// Likewise over x times sinθ of a cell, of which the first begins at the axis.
+    fn heights_along<T: Analytic>(&self, x: &T, sine: &Interval, order: usize) -> Option<Euler<T>> {
+        if *sine.lower() > 0 {
+            return self.heights(&x.scaled(sine), order, 0);
+        }
+        self.count::<T>();
+        let values = self.terms.iter().map(|term| term.part(self.index(term, 0))?.derivatives_along(x, sine, order));
+        sum(values)
+    }
+
     /// Δ at a kink, of the terms that change there.
     fn change<T: Analytic>(&self, r: &T, kink: usize) -> Option<T> {
         self.count::<T>();
@@ -186,7 +203,7 @@ impl Continuation {
             let first = self.breaks.partition_point(|b| b.upper() < r.lower());
             let last = self.breaks.partition_point(|b| b.lower() <= r.upper());
             let mut parts = (first..=last).map(|beyond| {
-                let f = self.height(&Euler::variable(&r, 1), beyond)?;
+                let f = self.heights(&r, 1, beyond)?;
                 Some(self.weighted(&f))
             });
             let one = parts.next()??;
@@ -205,12 +222,12 @@ impl Continuation {
         mean(self.cells.iter().map(|[sine, _]| {
             self.count::<T>();
             let order = sine.lit(1).over(i64::from(self.root));
-            let q = Euler::root(&q.scaled(&sine.pow(&order)), self.root, 1);
+            let q = q.scaled(&sine.pow(&order));
             let of = |term: &EnclosedFormula| {
                 let part = term.part(0)?;
                 match part.root() {
-                    Some(k) => part.at_root(&q.raised(i64::from(self.root / k))?),
-                    None => part.at(&q.raised(i64::from(self.root))?),
+                    Some(k) => part.derivatives_at_root(&q.raised(i64::from(self.root / k))?, 1),
+                    None => part.derivatives_at(&q.raised(i64::from(self.root))?, 1),
                 }
             };
             let f = sum(self.terms.iter().map(of))?;
@@ -226,7 +243,7 @@ impl Continuation {
         let mut g = match (&self.distant, legs.base) {
             (Some(distant), Some(base)) => distant.g(x, base)?,
             _ => mean(self.cells.iter().map(|[sine, _]| {
-                let f = self.height(&Euler::variable(&x.scaled(sine), 1), 0)?;
+                let f = self.heights_along(x, sine, 1)?;
                 Some(self.weighted(&f))
             }))?,
         };
@@ -256,7 +273,7 @@ impl Continuation {
     /// x g' of part 0: ∫ sinθ (D + D²)f₀ dθ.
     pub(super) fn first_rise(&self, x: &Rectangle) -> Option<Rectangle> {
         mean(self.cells.iter().map(|[sine, _]| {
-            let f = self.height(&Euler::variable(&x.scaled(sine), 2), 0)?;
+            let f = self.heights_along(x, sine, 2)?;
             Some(f.derivative(1).plus(&f.derivative(2)))
         }))
     }

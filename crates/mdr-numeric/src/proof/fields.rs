@@ -274,8 +274,8 @@ pub(super) struct Kernel<'a> {
 impl Integrand for Kernel<'_> {
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
         let (sine, cosine) = t.scaled(&self.width).plus(&t.constant(&self.from)).sin_cos();
-        let height = self.profile.height(&sine.scaled(self.a), self.beyond)?;
-        let height = height.product(&sine).scaled(&self.width);
+        let height = self.profile.heights(&sine.scaled(self.a), 0, self.beyond)?;
+        let height = height.value().product(&sine).scaled(&self.width);
         let (c, across) = (t.constant(self.c), cosine.scaled(self.a).squared());
         let square = c.squared();
         let far = square.plus(&across);

@@ -9,7 +9,7 @@ use super::breaks::Breaks;
 use super::switch::{Switch, is_positive};
 use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
 use crate::calculus::enclose::BOUND_BITS;
-use crate::number::{Analytic, Dual, Euler, Interval, Literal, Precision, Real};
+use crate::number::{Analytic, Dual, Euler, Interval, Literal, NearZero, Precision, Real};
 
 /// Bits beyond those of the precision in which breaks are located.
 const BEYOND: u32 = 8;
@@ -55,7 +55,7 @@ pub struct FormulaPart {
     pub(super) trees: [Node<Interval>; 2],
     /// Likewise in q = r^(1/k), with k.
     pub(super) rooted: Option<(u32, [Node<Interval>; 2])>,
-    /// See [`FormulaPart::cleared`].
+    /// The formula without its divisions by powers of r, if it has any.
     pub(super) cleared: Option<Arc<FormulaPart>>,
 }
 
@@ -200,23 +200,69 @@ impl FormulaPart {
         trees[usize::from(q.bits() > BOUND_BITS)].analytic(q)
     }
 
-    /// The formula without its divisions by powers of r, if it has any: where that is analytic, so is this one also at r = 0, which
-    /// [`FormulaPart::at`] does not see.
+    /// f with its Euler derivatives up to an order over a set of radii that may hold the axis, where [`FormulaPart::at`] knows nothing of
+    /// quotients such as (1 − cos r)/r and of logarithms. The formula must tend to 0 there, as a profile does.
     ///
     /// ```
     /// use mdr_core::contact::Expression;
-    /// use mdr_core::number::{Interval, Precision, Real, Rectangle};
-    /// let (formula, none): (Expression, _) = ("(1 - cos(r))/r".parse()?, Default::default());
+    /// use mdr_core::number::{Euler, Interval, Precision, Real};
     /// let precision = Precision::new(64);
-    /// let enclosed = formula.enclosed(&none, &formula.breaks(&none)?, precision)?;
-    /// let part = enclosed.part(0).expect("smooth");
-    /// let around_zero = Interval::from_int(precision, -1).hull(&Interval::from_int(precision, 1));
-    /// let disc = Rectangle::new(around_zero.clone(), around_zero);
-    /// assert!(part.at(&disc).is_none() && part.cleared().is_some_and(|part| part.at(&disc).is_some()));
+    /// let radii = Interval::from_int(precision, 0).hull(&Interval::from_f64(precision, 0.1));
+    /// let none = Default::default();
+    /// for text in ["(1 - cos(r))/r", "r^2*ln(1/r)"] {
+    ///     let formula: Expression = text.parse()?;
+    ///     let enclosed = formula.enclosed(&none, &formula.breaks(&none)?, precision)?;
+    ///     let part = enclosed.part(0).expect("smooth");
+    ///     assert!(part.at(&Euler::variable(&radii, 1)).is_none());
+    ///     let f = part.derivatives_at(&radii, 1).expect("bounded");
+    ///     assert!(f.value().contains_zero() && f.derivative(1).upper().to_f64() < 0.3);
+    /// }
     /// # Ok::<(), mdr_core::contact::ExpressionError>(())
     /// ```
-    pub fn cleared(&self) -> Option<&FormulaPart> {
-        self.cleared.as_deref()
+    pub fn derivatives_at<T: Analytic>(&self, r: &T, order: usize) -> Option<Euler<T>> {
+        self.derivatives_over(r, 1, order)
+    }
+
+    /// Likewise over a set of roots q = r^(1/k) of radii, with the k of [`FormulaPart::root`]; `None` without one, too.
+    pub fn derivatives_at_root<T: Analytic>(&self, q: &T, order: usize) -> Option<Euler<T>> {
+        self.derivatives_over(q, self.root()?, order)
+    }
+
+    /// The derivatives over a set of r for k = 1, or of q.
+    fn derivatives_over<T: Analytic>(&self, place: &T, k: u32, order: usize) -> Option<Euler<T>> {
+        let plain = self.plain_derivatives(place, k, order);
+        if plain.is_some() {
+            return plain;
+        }
+        // Without the divisions it is analytic, with them too but for a pole at the axis; and there it tends to 0.
+        let cleared = || {
+            let cleared = self.cleared.as_deref()?;
+            let bounded = |set: &T::Complex| cleared.plain_derivatives(set, k, order).filter(Analytic::is_bounded);
+            place.by_boundary(
+                |set| bounded(set).is_some(),
+                |set| Some(self.plain_derivatives(set, k, order)?.derivatives()),
+            )
+        };
+        let beside = || self.derivatives_near(&place.beside_zero()?, k, order);
+        cleared().and_then(Euler::from_derivatives).or_else(beside)
+    }
+
+    /// Likewise over all x s with 0 < s ≤ ε, for real or complex x and a number ε < 1.
+    pub fn derivatives_along<T: Analytic>(&self, x: &T, end: &Interval, order: usize) -> Option<Euler<T>> {
+        let all = end.lit(0).hull(end);
+        let near = || self.derivatives_near(&NearZero::up_to(x, end)?, 1, order);
+        self.derivatives_at(&x.scaled(&all), order).or_else(near)
+    }
+
+    fn derivatives_near<T: Analytic>(&self, near: &NearZero<T>, k: u32, order: usize) -> Option<Euler<T>> {
+        let derivatives = self.plain_derivatives(near, k, order)?.derivatives();
+        Euler::from_derivatives(derivatives.iter().map(NearZero::range).collect::<Option<_>>()?)
+    }
+
+    /// Where all steps of the formula are defined.
+    fn plain_derivatives<T: Analytic>(&self, place: &T, k: u32, order: usize) -> Option<Euler<T>> {
+        let variable = Euler::root(place, k, order);
+        if k == 1 { self.at(&variable) } else { self.at_root(&variable) }
     }
 
     /// (r f')' = f' + r f'' over a cell of radii, which may begin at 0; `None` where it is not bounded.
@@ -317,6 +363,9 @@ impl Node<Interval> {
 
     /// The value over a set; `None` where it is not defined or not analytic, as where a switch is left.
     pub(super) fn analytic<T: Analytic>(&self, r: &T) -> Option<T> {
+        if let Some(departure) = self.departure() {
+            return departure.analytic(r);
+        }
         Some(match self {
             Node::Variable => r.clone(),
             Node::Constant(constant) => r.constant(constant),

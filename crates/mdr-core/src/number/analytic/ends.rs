@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use rug::Float;
 use rug::float::Round;
 
-use super::Analytic;
+use super::{Analytic, NearZero, Rectangle};
 use crate::number::{DoubleInterval, Interval, Precision, Real, Special};
 
 /// An interval of real numbers, in hardware or in any precision. Each one is [`Analytic`].
@@ -34,6 +34,9 @@ pub trait Ends: Special {
     /// The upper end in a precision that holds it.
     fn most(&self) -> Float;
 
+    /// Whether both ends are within (−1/2, 1/2).
+    fn is_within_half(&self) -> bool;
+
     /// Whether 0 lies in the interval.
     fn has_zero(&self) -> bool {
         let [lower, upper] = self.signs();
@@ -52,6 +55,9 @@ impl Ends for Interval {
     }
     fn ends(&self) -> [Self; 2] {
         [self.lower(), self.upper()].map(|end| Interval::point(end.clone()))
+    }
+    fn is_within_half(&self) -> bool {
+        *self.lower() > -0.5 && *self.upper() < 0.5
     }
     fn hull(&self, other: &Self) -> Self {
         Interval::hull(self, other)
@@ -82,6 +88,9 @@ impl Ends for DoubleInterval {
     fn ends(&self) -> [Self; 2] {
         [self.lower(), self.upper()].map(DoubleInterval::point)
     }
+    fn is_within_half(&self) -> bool {
+        self.lower() > -0.5 && self.upper() < 0.5
+    }
     fn hull(&self, other: &Self) -> Self {
         DoubleInterval::hull(self, other)
     }
@@ -103,7 +112,24 @@ fn defined<I: Ends>(value: I) -> Option<I> {
 
 impl<I: Ends> Analytic for I {
     const WORK: u64 = <I as Ends>::WORK;
+    type Complex = Rectangle<I>;
 
+    /// On a rectangle that reaches beyond the interval by half of its length on each side.
+    fn by_boundary(
+        &self,
+        is_analytic: impl Fn(&Rectangle<I>) -> bool,
+        values: impl Fn(&Rectangle<I>) -> Option<Vec<Rectangle<I>>>,
+    ) -> Option<Vec<Self>> {
+        let [lower, upper] = self.ends();
+        let length = upper - lower;
+        let around = self.clone().inflate(&length.clone().over(2));
+        let values = Rectangle::new(around, length.lit(0).hull(&length)).by_boundary(is_analytic, values)?;
+        Some(values.into_iter().map(|value| value.re().clone()).collect())
+    }
+    fn beside_zero(&self) -> Option<NearZero<Self>> {
+        let begins_at_zero = self.signs() == [Ordering::Equal, Ordering::Greater];
+        if begins_at_zero { NearZero::up_to(&self.lit(1), &Interval::point(self.most())) } else { None }
+    }
     fn bits(&self) -> u32 {
         self.precision()
     }
@@ -160,6 +186,9 @@ impl<I: Ends> Analytic for I {
     }
     fn is_bounded(&self) -> bool {
         Real::is_finite(self)
+    }
+    fn is_small(&self) -> bool {
+        self.is_within_half()
     }
     fn integer(&self, value: i64) -> Self {
         self.lit(value)

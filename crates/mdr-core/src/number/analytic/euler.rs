@@ -66,6 +66,22 @@ impl<T: Analytic> Euler<T> {
         self
     }
 
+    /// The value and its derivatives, from the first one on; `None` without any value.
+    pub fn from_derivatives(derivatives: Vec<T>) -> Option<Self> {
+        let mut factorial = 1;
+        let coefficient = |(k, derivative): (usize, T)| {
+            factorial *= (k as i64).max(1);
+            if factorial == 1 { derivative } else { derivative.divided(factorial) }
+        };
+        let coefficients: Vec<T> = derivatives.into_iter().enumerate().map(coefficient).collect();
+        (!coefficients.is_empty()).then(|| Self::of(coefficients))
+    }
+
+    /// The value and its derivatives.
+    pub fn derivatives(&self) -> Vec<T> {
+        (0..=self.order()).map(|k| self.derivative(k)).collect()
+    }
+
     /// Parts of two numbers combined one by one, such as by the hull of both.
     pub fn combined(&self, other: &Self, combine: impl Fn(&T, &T) -> T) -> Self {
         Self::of(self.coefficients.iter().zip(&other.coefficients).map(|(one, other)| combine(one, other)).collect())
@@ -164,6 +180,7 @@ fn quotient<T: Analytic>(one: &[T], other: &[T]) -> Option<Vec<T>> {
 
 impl<T: Analytic> Analytic for Euler<T> {
     const WORK: u64 = T::WORK;
+    type Complex = Euler<T::Complex>;
 
     fn bits(&self) -> u32 {
         self.coefficients[0].bits()
@@ -249,6 +266,9 @@ impl<T: Analytic> Analytic for Euler<T> {
     }
     fn is_bounded(&self) -> bool {
         self.coefficients.iter().all(T::is_bounded)
+    }
+    fn is_small(&self) -> bool {
+        self.value().is_small()
     }
     fn half_turn(&self) -> Self {
         self.whole(self.value().half_turn())

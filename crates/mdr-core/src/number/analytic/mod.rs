@@ -34,6 +34,8 @@ pub trait Analytic: Clone {
     /// The time that a formula takes over such a set, over its time on an interval of doubles, as budgets count it: to within a factor of
     /// two.
     const WORK: u64;
+    /// The complex sets of such numbers.
+    type Complex: Analytic;
     /// Bits in the significand.
     fn bits(&self) -> u32;
     /// A real constant.
@@ -74,11 +76,22 @@ pub trait Analytic: Clone {
     fn atanh(&self) -> Option<Self>;
     /// Whether both ends of every part are numbers.
     fn is_bounded(&self) -> bool;
+    /// Whether every part is certainly within (−1/2, 1/2).
+    fn is_small(&self) -> bool;
 
-    /// Enclosures over the set of functions that are analytic inside, and continuous up to the boundary, of it and its conjugate together, and
-    /// that take conjugate values at conjugate points: from their `values` on the boundary, by the maximum principle for real and imaginary
-    /// parts. `None` over a real interval, which has no inside, and where a value is `None`.
-    fn by_boundary(&self, _values: impl Fn(&Self) -> Option<Vec<Self>>) -> Option<Vec<Self>> {
+    /// Enclosures over a set that may hold 0 of functions which take conjugate values at conjugate points: from their `values` on the boundary
+    /// of a complex set around it, by the maximum principle for real and imaginary parts. On that set and its conjugate together they must be
+    /// analytic, which `is_analytic` is asked. `None` where it is not, where a value is `None`, and of a set without 0.
+    fn by_boundary(
+        &self,
+        _is_analytic: impl Fn(&Self::Complex) -> bool,
+        _values: impl Fn(&Self::Complex) -> Option<Vec<Self::Complex>>,
+    ) -> Option<Vec<Self>> {
+        None
+    }
+
+    /// All numbers of a real interval that begins at 0, but for that; `None` of other sets, and of an interval beyond 1.
+    fn beside_zero(&self) -> Option<NearZero<Self>> {
         None
     }
 

@@ -124,6 +124,7 @@ fn part<I: Ends>(x: &I, y: &I, imaginary: bool) -> I {
 
 impl<I: Ends> Analytic for Rectangle<I> {
     const WORK: u64 = 4 * <I as Ends>::WORK;
+    type Complex = Self;
 
     fn bits(&self) -> u32 {
         self.re.bits()
@@ -221,7 +222,17 @@ impl<I: Ends> Analytic for Rectangle<I> {
     fn is_bounded(&self) -> bool {
         self.re.is_bounded() && self.im.is_bounded()
     }
-    fn by_boundary(&self, values: impl Fn(&Self) -> Option<Vec<Self>>) -> Option<Vec<Self>> {
+    fn is_small(&self) -> bool {
+        self.re.is_small() && self.im.is_small()
+    }
+    fn by_boundary(
+        &self,
+        is_analytic: impl Fn(&Self) -> bool,
+        values: impl Fn(&Self) -> Option<Vec<Self>>,
+    ) -> Option<Vec<Self>> {
+        if !(self.re.has_zero() && self.im.has_zero() && is_analytic(self)) {
+            return None;
+        }
         let mut edges = self.upper_boundary().into_iter().map(|edge| values(&edge));
         let first = edges.next()??;
         edges.try_fold(first, |hull, values| {

@@ -82,6 +82,9 @@ impl Real for Interval {
     fn from_int(ctx: Precision, value: i64) -> Interval {
         Interval::outward(|round| Float::with_val_round(ctx.bits(), value, round))
     }
+    fn is_integer(&self, value: i64) -> bool {
+        self.lo == value && self.hi == value
+    }
     /// The entire line when `value` is not finite.
     fn from_f64(ctx: Precision, value: f64) -> Interval {
         if value.is_finite() {

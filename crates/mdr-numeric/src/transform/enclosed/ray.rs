@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use mdr_core::calculus::enclose::Integrand;
 use mdr_core::contact::FormulaPart;
-use mdr_core::number::{Analytic, Euler, Interval, NearZero, Precision, Real, Special};
+use mdr_core::number::{Analytic, Euler, Interval, Precision, Real, Special};
 use rug::Float;
 
 use super::super::weight::Weight;
@@ -38,7 +38,7 @@ impl Ray<'_> {
     /// The Euler derivatives of f at x sinθ.
     fn heights<T: Analytic>(&self, sine: &T) -> Option<Euler<T>> {
         self.heights.fetch_add(T::WORK, Ordering::Relaxed);
-        self.part.at(&Euler::variable(&sine.scaled(self.x), self.order.derivatives()))
+        self.part.derivatives_at(&sine.scaled(self.x), self.order.derivatives())
     }
 
     /// What is weighted, from f.
@@ -154,14 +154,6 @@ impl Ray<'_> {
     /// The integrand over t with q = r^(1/k) proportional to t at the axis.
     fn at_root<T: Analytic>(&self, t: &T, k: u32) -> Option<Vec<T>> {
         self.heights.fetch_add(T::WORK, Ordering::Relaxed);
-        let [sine, weight, q] = self.places_at_root(t, k)?;
-        let f = self.part.at_root(&Euler::root(&q, k, self.order.derivatives()))?;
-        let values = self.weighted(&f, &sine)?;
-        Some(values.into_iter().map(|value| value.product(&weight)).collect())
-    }
-
-    /// sinθ, the weight dθ/dt and q.
-    fn places_at_root<T: Analytic>(&self, t: &T, k: u32) -> Option<[T; 3]> {
         let precision = Precision::new(t.bits());
         let number = |value: u32| Interval::from_int(precision, i64::from(value));
         let root = number(1) / number(k);
@@ -177,12 +169,9 @@ impl Ray<'_> {
         let q = q.scaled(&self.x.rounded(precision).pow(&root));
         let weight = turn.product(&slope);
         let weight = if let Weight::Line(_) = self.weight { weight } else { weight.product(&sine) };
-        Some([sine, weight, q])
-    }
-
-    /// k, where the integrand is one over roots q = r^(1/k) of the radius.
-    fn root(&self) -> Option<u32> {
-        self.part.root().filter(|_| !matches!(self.weight, Weight::Graded(_)))
+        let f = self.part.derivatives_at_root(&q, self.order.derivatives())?;
+        let values = self.weighted(&f, &sine)?;
+        Some(values.into_iter().map(|value| value.product(&weight)).collect())
     }
 }
 
@@ -195,37 +184,8 @@ impl Integrand for Ray<'_> {
         exponents.iter().all(|exponent| exponent.is_some_and(|exponent| exponent.abs() < MODERATE))
     }
 
-    /// Around the axis also where the formula is a quotient by a power of r: by the values on the boundary, if all but that quotient is
-    /// analytic inside.
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
-        let by_boundary = || {
-            let cleared = Ray { part: self.part.cleared()?, ..*self }.inside(t)?;
-            cleared.iter().all(T::is_bounded).then_some(())?;
-            t.by_boundary(|edge| self.inside(edge))
-        };
-        self.inside(t).or_else(by_boundary)
-    }
-
-    fn beside_zero(&self, t: &Interval) -> Option<Vec<Interval>> {
-        let [sine, weight] = match self.root() {
-            Some(k) => {
-                let [sine, weight, _] = self.places_at_root(t, k)?;
-                [sine, weight]
-            }
-            None => self.places(t)?,
-        };
-        let r = NearZero::up_to(&(sine.clone() * self.x))?;
-        self.heights.fetch_add(NearZero::WORK, Ordering::Relaxed);
-        let f = self.part.at(&Euler::variable(&r, self.order.derivatives()))?;
-        let values = self.weighted(&f, &r.constant(&sine))?;
-        values.iter().map(|value| Some(value.range()? * &weight)).collect()
-    }
-}
-
-impl Ray<'_> {
-    /// The integrand where all steps of the formula are analytic.
-    fn inside<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
-        if let Some(k) = self.root() {
+        if let (Some(k), Weight::HalfSpace | Weight::Winkler | Weight::Line(_)) = (self.part.root(), self.weight) {
             return self.at_root(t, k);
         }
         let [sine, weight] = self.places(t)?;
