@@ -205,31 +205,56 @@ pub enum FirstContact {
     Dimple,
 }
 
+/// How many radii close to the tip are tried.
+const CLOSE_RADII: u32 = 6;
+
 /// How contact begins on a curve with the given first fold: from the sign of g close to the tip, and from the stability
 /// of the first branch.
 ///
-/// "Close" is the unit roundoff times w/E* or times the radius of the fold, whichever is smaller.
+/// "Close" is the unit roundoff times w/E* or times the radius of the fold, whichever is smaller; where the arithmetic does not decide there,
+/// since terms of the profile cancel, it is a root of the unit roundoff times that, the 32nd at most.
 ///
 /// # Errors
 /// Errors of the transform; [`Error::Undecided`] over enclosures that do not decide.
 pub fn onset<R: Real>(curve: &Contact<R>, first: Option<&Fold<R>>) -> Result<FirstContact> {
     let length = curve.material_length();
     let radius = first.map(|fold| fold.contact_radius.clone()).filter(|radius| *radius < length).unwrap_or(length);
-    let close = (radius.unit_roundoff() * &radius).midpoint();
     let undecided = |what| Error::undecided(Quantity::ContactRadius, &radius, what);
-    match begins_below(curve.transform(), &close)? {
+    match at_a_close_radius(&radius, |close| begins_below(curve.transform(), close))? {
         Some(true) => return Ok(FirstContact::Dimple),
         Some(false) => {}
         None => return Err(undecided("whether the profile has a dimple at its tip")),
     }
+    let grows = |close: &R| {
+        let order = known(curve.tangency(close))?.and_then(|ratio| ratio.partial_cmp(&curve.critical_ratio_at(close)));
+        Ok(order.map(|order| order == Ordering::Greater))
+    };
     let stable = match first {
         Some(fold) => fold.kind == FoldKind::Maximum,
-        None => match curve.tangency(&close)?.partial_cmp(&curve.critical_ratio_at(&close)) {
-            Some(order) => order == Ordering::Greater,
-            None => return Err(undecided("whether contact grows smoothly from a point")),
-        },
+        None => at_a_close_radius(&radius, grows)?
+            .ok_or_else(|| undecided("whether contact grows smoothly from a point"))?,
     };
     Ok(if stable { FirstContact::Smooth } else { FirstContact::Abrupt })
+}
+
+/// The answer at the closest of some radii at which there is one.
+fn at_a_close_radius<R: Real>(radius: &R, answer: impl Fn(&R) -> Result<Option<bool>>) -> Result<Option<bool>> {
+    let mut share = radius.unit_roundoff();
+    for _ in 0..CLOSE_RADII {
+        if let Some(known) = answer(&(share.clone() * radius).midpoint())? {
+            return Ok(Some(known));
+        }
+        share = share.sqrt();
+    }
+    Ok(None)
+}
+
+/// `None` of a value that is lost in the roundings of a difference, or not enclosed.
+fn known<T>(value: Result<T>) -> Result<Option<T>> {
+    match value {
+        Err(Error::Unproved { .. } | Error::NoConvergence { .. }) => Ok(None),
+        value => value.map(Some),
+    }
 }
 
 /// Whether g falls from its value 0 at the tip, by its sign at a radius close to it; `None` where that is open. Where g is lost in the
@@ -239,14 +264,9 @@ fn begins_below<R: Real>(transform: &dyn Transform<R>, close: &R) -> Result<Opti
         let zero = value.lit(0);
         if value < zero { Some(true) } else { (value >= zero).then_some(false) }
     };
-    let by_value = match transform.g(close) {
-        Ok(g) => is_negative(g),
-        Err(Error::Unproved { .. } | Error::NoConvergence { .. }) => None,
-        Err(error) => return Err(error),
-    };
-    Ok(match by_value {
-        None => is_negative(transform.slope(close)?),
-        known => known,
+    Ok(match known(transform.g(close))?.and_then(is_negative) {
+        None => known(transform.slope(close))?.and_then(is_negative),
+        sign => sign,
     })
 }
 

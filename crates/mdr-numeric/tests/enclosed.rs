@@ -218,6 +218,38 @@ fn intervals_of_radii_are_contained() {
     assert!(*slope.lower() > 0.1 && *slope.upper() < 0.4, "{slope}");
 }
 
+/// Far outside of a dip, a needle or a pole that is far narrower than an interval of radii, slopes over the interval hold those inside, and
+/// their signs are known.
+#[test]
+fn intervals_beyond_what_is_narrow_are_cut_below() {
+    for formula in [
+        "r^2/2 - 0.002*(exp(-((r - 0.2)*1e5)^2) - exp(-(0.2*1e5)^2))",
+        "r^2/2 - 0.002*(exp(-((r - 0.2)*1e8)^2) - exp(-(0.2*1e8)^2))",
+        "r^2/((r - 0.2)^2 + 1e-6)/100",
+        "r^0.7 + 1e-9*(1/((r - 0.2)^2 + 1e-8) - 1/(0.2^2 + 1e-8))",
+    ] {
+        for [from, to] in [["0.21", "0.2103"], ["0.3", "0.305"], ["0.9", "0.92"]] {
+            let values = enclosed(formula, 64);
+            let over = number(from, 64).hull(&number(to, 64));
+            let slopes = EnclosedWithSlopes::new(values.clone());
+            let wide = slopes.slope(&Dual::variable(over.clone())).unwrap();
+            let slope = values.slope(&over).unwrap();
+            assert!(!slope.contains_zero() && wide.value.overlaps(&slope), "{formula} over {over}: {slope}");
+            assert!(!wide.slope.contains_zero(), "{formula} over {over}: {}", wide.slope);
+            for share in 0..=4 {
+                let at = number(from, 64) + (number(to, 64) - number(from, 64)).times(share).over(4);
+                let at = slopes.slope(&Dual::variable(at.midpoint())).unwrap();
+                assert!(
+                    slope.overlaps(&at.value) && wide.value.overlaps(&at.value),
+                    "{formula}: {slope} without {}",
+                    at.value
+                );
+                assert!(wide.slope.overlaps(&at.slope), "{formula}: {} without {}", wide.slope, at.slope);
+            }
+        }
+    }
+}
+
 /// g of max(0, r − 1) is x arccos(1/x), with an infinite slope after the kink, and that of its square has none.
 #[test]
 fn kinks_bound_the_slope_beside_them() {

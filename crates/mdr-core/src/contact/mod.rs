@@ -15,7 +15,9 @@ pub use control::{Control, ControlKind};
 pub use counted::{Budget, CountingTransform, EvaluationCounter, Evaluations};
 pub use error::{Error, Quantity, Result};
 #[cfg(feature = "mp")]
-pub use expression::{Breaks, EnclosedFormula, FormulaPart, FormulaShape, LocalPolynomial, Lowest, LowestRing};
+pub use expression::{
+    Breaks, EnclosedFormula, FormulaPart, FormulaShape, LocalPolynomial, Lowest, LowestRing, Touched,
+};
 pub use expression::{Expression, ExpressionError, ExpressionProfile};
 pub use kink::{Kink, Slopes};
 pub use material::{Body, Elasticity, Material};

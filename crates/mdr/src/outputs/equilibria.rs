@@ -29,7 +29,6 @@ use crate::solve::verdict;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
-    digits::decide,
     power_law::{self, PowerLaw},
     proof::{self, Enclosed, FoldProof},
     sample,
@@ -201,7 +200,7 @@ fn proved_at(
     values: &[Literal],
 ) -> Result<Option<Vec<AtValue<Equilibrium>>>> {
     let limits = folds.limits.as_ref();
-    let items = decide(certified.digits, |precision| {
+    let items = certified.decide(|precision| {
         let enclosed = Enclosed::new(certified, precision)?;
         let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
         let admissibility = certified.admissibility()?;

@@ -26,7 +26,7 @@ use crate::solve::verdict;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
-    digits::{decide, decide_within, start},
+    digits::{decide_within, start},
     power_law::{self, PowerLaw},
     proof::{self, Enclosed, FoldProof},
 };
@@ -164,7 +164,7 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
             }
             vec![record]
         };
-        let refined = decide(certified.digits, |precision| {
+        let refined = certified.decide(|precision| {
             let Known { curve, enclosed, .. } = curves.at(precision)?;
             Ok(record(&enclosed.value, curve.refine(fold)?))
         });

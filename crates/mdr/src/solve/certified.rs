@@ -11,7 +11,7 @@ use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::Folds;
 use mdr_numeric::proof::EnclosedEnergy;
 
-use super::digits::{MOST_OF_INTEGRALS, decide, decide_within, start};
+use super::digits::{MOST, MOST_OF_DECISIONS, MOST_OF_INTEGRALS, decide_within, start};
 use super::model::{Model, SceneReal};
 use super::proof::{self, FoldProof};
 use super::rigorous::{Formulas, with_energies, without_energies};
@@ -171,12 +171,37 @@ impl<'s> Certified<'s> {
         f: impl FnMut(Precision) -> Result<T>,
     ) -> Result<Option<T::With<Number>>> {
         if self.scene.is_closed() {
-            return decide(self.digits, f).map(Some);
+            return self.decide(f).map(Some);
         }
         if !self.scene.is_enclosed() {
             return Ok(None);
         }
         proof::decided(decide_within(MOST_OF_INTEGRALS, start(self.digits), self.digits, f))
+    }
+
+    /// Evaluates `f` at growing precision until every number has its digits, beginning with a given precision: see
+    /// [`decide_within`], with fewer bits at most where g is an integral.
+    ///
+    /// # Errors
+    /// Errors of `f`; [`Error::Undecided`](mdr_core::contact::Error::Undecided) only when it is the last attempt that returns it.
+    pub(crate) fn decide_from<T: Numbers<Enclosure>>(
+        &self,
+        precision: Precision,
+        f: impl FnMut(Precision) -> Result<T>,
+    ) -> Result<T::With<Number>> {
+        let most = if self.scene.is_closed() { MOST } else { MOST_OF_DECISIONS };
+        decide_within(most, precision, self.digits, f)
+    }
+
+    /// Likewise, beginning with the bits of the digits.
+    ///
+    /// # Errors
+    /// Those of [`decide_from`](Certified::decide_from).
+    pub(crate) fn decide<T: Numbers<Enclosure>>(
+        &self,
+        f: impl FnMut(Precision) -> Result<T>,
+    ) -> Result<T::With<Number>> {
+        self.decide_from(start(self.digits), f)
     }
 
     /// The folds on which proofs rest: of closed forms, and of formulas and of tables that are short, where they leave nothing

@@ -15,6 +15,8 @@ const GUARD: u32 = 32;
 pub(crate) const MOST: u32 = 80;
 /// The most for integrals, whose cost grows much faster with the precision.
 pub(crate) const MOST_OF_INTEGRALS: u32 = 6;
+/// The most for decisions, such as those of a path, where g is an integral.
+pub(crate) const MOST_OF_DECISIONS: u32 = 16;
 /// The most bits for any number.
 const LIMIT: u32 = 1 << 21;
 
@@ -72,7 +74,11 @@ pub(crate) fn decide_within<T: Numbers<Enclosure>>(
     let mut decided: Vec<Option<Decimal>> = Vec::new();
     loop {
         let last = precision.bits() >= most.saturating_mul(begin.bits());
-        precision = match f(precision) {
+        let r = f(precision);
+        if let Err(e) = &r {
+            eprintln!("DBG {} {e}", precision.bits());
+        }
+        precision = match r {
             Err(Error::Undecided { .. }) if !last => next_precision(begin, precision, [None]),
             Err(error) => return Err(error),
             Ok(records) => {

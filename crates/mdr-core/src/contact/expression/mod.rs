@@ -27,7 +27,7 @@ mod switch;
 #[cfg(feature = "mp")]
 pub use breaks::Breaks;
 #[cfg(feature = "mp")]
-pub use enclosed::{EnclosedFormula, FormulaPart};
+pub use enclosed::{EnclosedFormula, FormulaPart, Touched};
 #[cfg(feature = "mp")]
 pub use lowest::{FormulaShape, Lowest, LowestRing};
 #[cfg(feature = "mp")]

@@ -137,7 +137,11 @@ impl Kind<'_, Interval> {
     fn analytic<T: Analytic>(&self, u: &T, r: &T) -> Option<T> {
         let (one, half, is_small) = (u.integer(1), || u.divided(2), u.is_small());
         Some(match self {
-            Kind::Exponential if is_small => half().exp().product(&half().sinh_cosh().0).multiplied(2),
+            // 2 e^(u/2) sinh(u/2)
+            Kind::Exponential if is_small => {
+                let (sinh, cosh) = half().sinh_cosh();
+                sinh.plus(&cosh).product(&sinh).multiplied(2)
+            }
             Kind::Exponential => u.exp().minus(&one),
             Kind::Cosine if is_small => half().sin_cos().0.squared().multiplied(-2),
             Kind::Cosine => u.sin_cos().1.minus(&one),

@@ -13,6 +13,7 @@
 mod ray;
 mod slopes;
 mod span;
+mod split;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -26,6 +27,7 @@ use super::weight::Weight;
 use ray::Ray;
 pub use slopes::EnclosedWithSlopes;
 use span::{Gap, Span, gaps};
+use split::Cuts;
 
 /// The most pieces of an integral at one radius,
 const PIECES: usize = 400;
@@ -33,6 +35,10 @@ const PIECES: usize = 400;
 const PIECES_OF_INTERVAL: usize = 120;
 /// Over wide intervals of radii g' is bounded by ranges of (r f')' on so many parts of the quarter circle.
 const RANGES: i64 = 12;
+/// Over an interval of radii with fewer bits of x g' than so many
+const FEW: i64 = 2;
+/// a cut is tried, and helps where the enclosure is narrower by so much.
+const HELP: u32 = 4;
 /// Recent integrals that are kept.
 const KEPT: usize = 8;
 /// Heights, counted over intervals, after which no further integral is begun: some seconds.
@@ -61,6 +67,7 @@ pub struct Enclosed {
     precision: Precision,
     kept: Arc<Mutex<Vec<Kept>>>,
     heights: Arc<AtomicU64>,
+    cuts: Arc<Cuts>,
 }
 
 /// The integrals at a radius.
@@ -117,7 +124,8 @@ impl Enclosed {
     }
 
     fn weighing(formula: EnclosedFormula, precision: Precision, weight: Weight<Interval>) -> Self {
-        Enclosed { formula: Arc::new(formula), weight, precision, kept: Arc::default(), heights: Arc::default() }
+        let (kept, heights, cuts) = (Arc::default(), Arc::default(), Arc::default());
+        Enclosed { formula: Arc::new(formula), weight, precision, kept, heights, cuts }
     }
 
     /// Refuses radii that are not certainly within the formula.
@@ -142,6 +150,7 @@ impl Enclosed {
         }
         let mut values = self.between_breaks(x, order, self.formula.breaks())?;
         self.add_kinks(x, order, &mut values);
+        self.narrow_by_cut(x, order, &mut values);
         if !Span::of(x).is_wide && !values.iter().all(Real::is_finite) {
             return Err(unproved(x, "a kink of the formula is not located"));
         }
@@ -151,6 +160,19 @@ impl Enclosed {
         }
         kept.push(Kept { x: x.clone(), order, values: values.clone() });
         Ok(values)
+    }
+
+    /// What a cut below an interval of radii knows better, where little is known.
+    fn narrow_by_cut(&self, x: &Interval, order: Order, values: &mut [Interval]) {
+        let is_vague = |value: &Interval| value.accuracy_bits() < FEW;
+        if !(is_vague(&values[0]) && self.cuts.are_tried()) {
+            return;
+        }
+        let Some(cut) = self.cut(x, order, &Span::of(x)) else { return };
+        self.cuts.note(!is_vague(&cut[0]) || cut[0].radius() < values[0].radius() / HELP);
+        for (value, cut) in values.iter_mut().zip(cut) {
+            *value = value.intersect(&cut).unwrap_or(cut);
+        }
     }
 
     /// The integrals without the terms of kinks, cut at some breaks. Over an interval of radii that is too wide nothing is known.

@@ -178,10 +178,15 @@ impl Ray<'_> {
 /// The logarithm of 10⁷⁵ to the base 2: the fourth power of a radius up to there is a double.
 const MODERATE: i32 = 250;
 
+/// Whether powers of a radius are in the range of doubles.
+pub(super) fn is_moderate(x: &Interval) -> bool {
+    let exponents = [x.lower(), x.upper()].map(Float::get_exp);
+    exponents.iter().all(|exponent| exponent.is_some_and(|exponent| exponent.abs() < MODERATE))
+}
+
 impl Integrand for Ray<'_> {
     fn is_moderate(&self) -> bool {
-        let exponents = [self.x.lower(), self.x.upper()].map(Float::get_exp);
-        exponents.iter().all(|exponent| exponent.is_some_and(|exponent| exponent.abs() < MODERATE))
+        is_moderate(self.x)
     }
 
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {

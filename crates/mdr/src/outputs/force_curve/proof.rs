@@ -17,7 +17,6 @@ use crate::answer::record::{Numbers, Row};
 use crate::answer::{Number, Promise, Value};
 use crate::outputs::path::{self, Dissipation, Energies};
 use crate::solve::certified::Certified;
-use crate::solve::digits::decide;
 use crate::solve::proof::{Enclosed, budget_of_folds, decided, exactly};
 
 /// The work of samples, in nanoseconds as budgets count it, above which they are left to f64: a curve is asked for to be looked at, and
@@ -87,7 +86,7 @@ impl Curve<'_, '_> {
         &self,
         numbers: impl FnMut(Precision) -> Result<CurveNumbers<Enclosure>>,
     ) -> Result<Option<CurveNumbers<Number>>> {
-        let Some(numbers) = decided(decide(self.certified.digits, numbers))? else { return Ok(None) };
+        let Some(numbers) = decided(self.certified.decide(numbers))? else { return Ok(None) };
         let is_open = |sample: &ForceSample| sample.rows().iter().any(Row::is_open);
         let samples = numbers.samples.into_iter().zip(self.is_chosen.take());
         let samples = samples.filter(|(sample, is_chosen)| !(*is_chosen && is_open(sample)));

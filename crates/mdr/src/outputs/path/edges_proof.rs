@@ -11,7 +11,7 @@ use super::{LoadingPath, PathNumbers, edges, edges_energies, events};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise};
 use crate::solve::certified::Certified;
-use crate::solve::digits::{MOST_OF_INTEGRALS, decide_from, decide_within, guarded, raised, start};
+use crate::solve::digits::{MOST_OF_INTEGRALS, decide_within, guarded, raised, start};
 use crate::solve::proof::{Enclosed, FoldProof, decided, reached};
 
 /// The contact at the works of adhesion of an advancing and of a receding edge, each with all its folds.
@@ -102,7 +102,7 @@ pub(super) fn path(pair: &Pair<'_, '_>) -> Result<Option<(LoadingPath, Followed)
     // As precise as the energies will need the states.
     let precision = guarded(raised(start(receding.digits)));
     let mut last = None;
-    let items = decide_from(precision, receding.digits, |precision| {
+    let items = receding.decide_from(precision, |precision| {
         let followed = last.insert(Followed::new(pair, precision)?);
         let events = events::events(&followed.control, &followed.shown, &*receding.admissibility()?);
         let mut events = events.convert(Enclosure::from);

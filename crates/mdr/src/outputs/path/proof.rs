@@ -12,7 +12,7 @@ use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise, Value};
 use crate::scene::Scene;
 use crate::solve::certified::Certified;
-use crate::solve::digits::{MOST_OF_INTEGRALS, decide_from, decide_within, guarded, raised, start};
+use crate::solve::digits::{MOST_OF_INTEGRALS, decide_within, guarded, raised, start};
 use crate::solve::proof::{Enclosed, FoldProof, decided, exactly, reached};
 
 /// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
@@ -147,7 +147,7 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
     // As precise as the energies will need the states.
     let precision = guarded(raised(start(certified.digits)));
     let mut last = None;
-    let items = decide_from(precision, certified.digits, |precision| {
+    let items = certified.decide_from(precision, |precision| {
         let followed = last.insert(Followed::new(certified, folds, precision)?);
         let events = events::events(&followed.control, &followed.shown, &*certified.admissibility()?);
         let mut events = events.convert(Enclosure::from);
