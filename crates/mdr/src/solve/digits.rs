@@ -74,11 +74,7 @@ pub(crate) fn decide_within<T: Numbers<Enclosure>>(
     let mut decided: Vec<Option<Decimal>> = Vec::new();
     loop {
         let last = precision.bits() >= most.saturating_mul(begin.bits());
-        let r = f(precision);
-        if let Err(e) = &r {
-            eprintln!("DBG {} {e}", precision.bits());
-        }
-        precision = match r {
+        precision = match f(precision) {
             Err(Error::Undecided { .. }) if !last => next_precision(begin, precision, [None]),
             Err(error) => return Err(error),
             Ok(records) => {
