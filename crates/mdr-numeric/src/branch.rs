@@ -205,22 +205,24 @@ pub enum FirstContact {
     Dimple,
 }
 
-/// How many radii close to the tip are tried.
-const CLOSE_RADII: u32 = 6;
+/// How many more radii close to the tip are tried where the closest decides nothing.
+const CLOSE_RADII: usize = 5;
 
 /// How contact begins on a curve with the given first fold: from the sign of g close to the tip, and from the stability
 /// of the first branch.
 ///
 /// "Close" is the unit roundoff times w/E* or times the radius of the fold, whichever is smaller; where the arithmetic does not decide there,
-/// since terms of the profile cancel, it is a root of the unit roundoff times that, the 32nd at most.
+/// since terms of the profile cancel, it is a root of the unit roundoff times the radius of the fold, the 32nd at most.
 ///
 /// # Errors
 /// Errors of the transform; [`Error::Undecided`] over enclosures that do not decide.
 pub fn onset<R: Real>(curve: &Contact<R>, first: Option<&Fold<R>>) -> Result<FirstContact> {
     let length = curve.material_length();
-    let radius = first.map(|fold| fold.contact_radius.clone()).filter(|radius| *radius < length).unwrap_or(length);
+    let fold = first.map_or_else(|| length.clone(), |fold| fold.contact_radius.clone());
+    let radius = if fold < length { fold.clone() } else { length };
+    let radii = [&radius, &fold];
     let undecided = |what| Error::undecided(Quantity::ContactRadius, &radius, what);
-    match at_a_close_radius(&radius, |close| begins_below(curve.transform(), close))? {
+    match at_a_close_radius(radii, |close| begins_below(curve.transform(), close))? {
         Some(true) => return Ok(FirstContact::Dimple),
         Some(false) => {}
         None => return Err(undecided("whether the profile has a dimple at its tip")),
@@ -231,17 +233,21 @@ pub fn onset<R: Real>(curve: &Contact<R>, first: Option<&Fold<R>>) -> Result<Fir
     };
     let stable = match first {
         Some(fold) => fold.kind == FoldKind::Maximum,
-        None => at_a_close_radius(&radius, grows)?
-            .ok_or_else(|| undecided("whether contact grows smoothly from a point"))?,
+        None => {
+            at_a_close_radius(radii, grows)?.ok_or_else(|| undecided("whether contact grows smoothly from a point"))?
+        }
     };
     Ok(if stable { FirstContact::Smooth } else { FirstContact::Abrupt })
 }
 
-/// The answer at the closest of some radii at which there is one.
-fn at_a_close_radius<R: Real>(radius: &R, answer: impl Fn(&R) -> Result<Option<bool>>) -> Result<Option<bool>> {
+/// The answer at the closest of some radii at which there is one: shares of the first radius, then of the second.
+fn at_a_close_radius<R: Real>(
+    [radius, wider]: [&R; 2],
+    answer: impl Fn(&R) -> Result<Option<bool>>,
+) -> Result<Option<bool>> {
     let mut share = radius.unit_roundoff();
-    for _ in 0..CLOSE_RADII {
-        if let Some(known) = answer(&(share.clone() * radius).midpoint())? {
+    for of in std::iter::once(radius).chain(std::iter::repeat_n(wider, CLOSE_RADII)) {
+        if let Some(known) = answer(&(share.clone() * of).midpoint())? {
             return Ok(Some(known));
         }
         share = share.sqrt();

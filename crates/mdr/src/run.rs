@@ -76,7 +76,10 @@ impl Stop {
     /// One for each arithmetic, with a budget that they share.
     pub(crate) fn counts(&self) -> Counts {
         let budget = Arc::new(Budget::default());
-        std::array::from_fn(|_| Arc::new(EvaluationCounter::until(&self.0).within(&budget)))
+        std::array::from_fn(|arithmetic| {
+            let counter = EvaluationCounter::until(&self.0).within(&budget);
+            Arc::new(if arithmetic == 0 { counter } else { counter.leaving_reserve() })
+        })
     }
 }
 

@@ -346,7 +346,8 @@ fn nodes_for(bounds: &[Float], half: &Float, rho: f64, tolerances: &[Float]) -> 
     let bits = bounds.iter().zip(tolerances).map(|(bound, tolerance)| {
         let ratio = Float::with_val(BOUND_BITS, bound * half) / tolerance;
         // log₂ 64/15 < 2.1
-        if ratio.is_zero() { 0.0 } else { ratio.log2().to_f64() + 2.1 - (1.0 - rho.powi(-2)).log2() }
+        let (mantissa, exponent) = ratio.to_f64_exp();
+        if ratio.is_zero() { 0.0 } else { mantissa.log2() + f64::from(exponent) + 2.1 - (1.0 - rho.powi(-2)).log2() }
     });
     let least = (bits.fold(0.0, f64::max) / (2.0 * rho.log2())).ceil().clamp(2.0, 1e9);
     let even = |nodes: f64| nodes as usize & !1;

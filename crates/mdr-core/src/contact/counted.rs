@@ -43,6 +43,7 @@ impl Sub for Evaluations {
 pub struct EvaluationCounter {
     counts: [AtomicU64; 3],
     budget: Arc<Budget>,
+    leaves_reserve: bool,
     stop: Arc<AtomicBool>,
 }
 
@@ -63,12 +64,18 @@ pub struct Budget {
     spent: AtomicU64,
     /// The work up to which evaluations are allowed; 0 without a limit.
     limit: AtomicU64,
+    /// What is kept of it for those that begin last.
+    reserve: AtomicU64,
 }
+
+/// The part of a budget, inverse, that is kept in reserve.
+const RESERVE: u64 = 5;
 
 impl Budget {
     /// Allows so much work from now on.
     pub fn allow(&self, work: u64) {
         self.limit.store(self.spent().saturating_add(work).max(1), Ordering::Relaxed);
+        self.reserve.store(work / RESERVE, Ordering::Relaxed);
     }
 
     /// The work that was spent so far.
@@ -86,6 +93,12 @@ impl Budget {
         let limit = self.limit.load(Ordering::Relaxed);
         limit > 0 && self.spent() >= limit
     }
+
+    /// Whether nothing is left but a fifth that is kept for those that begin last.
+    pub fn is_spent_but_for_reserve(&self) -> bool {
+        let limit = self.limit.load(Ordering::Relaxed);
+        limit > 0 && self.spent() >= limit.saturating_sub(self.reserve.load(Ordering::Relaxed))
+    }
 }
 
 impl EvaluationCounter {
@@ -98,6 +111,16 @@ impl EvaluationCounter {
     #[must_use]
     pub fn within(self, budget: &Arc<Budget>) -> Self {
         EvaluationCounter { budget: Arc::clone(budget), ..self }
+    }
+
+    /// The count, to which the reserve of its budget does not belong: as of proofs, after which hardware arithmetic has its turn.
+    #[must_use]
+    pub fn leaving_reserve(self) -> Self {
+        EvaluationCounter { leaves_reserve: true, ..self }
+    }
+
+    fn is_spent(&self) -> bool {
+        if self.leaves_reserve { self.budget.is_spent_but_for_reserve() } else { self.budget.is_spent() }
     }
 
     /// Allows so much work from now on: a [weight](CountingTransform::weighing) for each evaluation, and for each height within
@@ -187,7 +210,7 @@ impl<R: Real> CountingTransform<R> {
         if tally.stop.load(Ordering::Relaxed) {
             return Err(Error::Stopped);
         }
-        if tally.budget.is_spent() {
+        if tally.is_spent() {
             return Err(Error::BudgetSpent { evaluations: tally.read().total() });
         }
         tally.counts[part].fetch_add(1, Ordering::Relaxed);

@@ -51,6 +51,9 @@ use crate::energy::MEDIUM;
 /// The most steps of Newton's method towards a zero that is proved then.
 const APPROACHES: u32 = 6;
 
+/// Integrals over an interval of radii are done in doubles from 2^−AROUND of the radius on.
+const AROUND: i64 = 25;
+
 /// The last bits of a radius that may be unknown after Newton's method has converged.
 const SPARE: i64 = 8;
 
@@ -75,6 +78,8 @@ pub struct EnclosedCurve {
     dual: Contact<Dual<Interval>>,
     /// The contact in the precision in which folds are enclosed once they are isolated; without it they are in this one.
     fine: Option<Arc<EnclosedCurve>>,
+    /// Whether g is an integral, of which few digits cost less than all.
+    is_by_integrals: bool,
 }
 
 /// The folds found on a range of radii, and the parts left undecided.
@@ -121,7 +126,7 @@ impl ProvedFolds {
 impl EnclosedCurve {
     /// A contact, given over enclosures and over dual numbers of enclosures.
     pub fn new(plain: Contact<Interval>, dual: Contact<Dual<Interval>>) -> Self {
-        EnclosedCurve { plain, dual, fine: None }
+        EnclosedCurve { plain, dual, fine: None, is_by_integrals: false }
     }
 
     /// With the same contact in a higher precision, in which folds are enclosed once this one has isolated them: these are then
@@ -129,6 +134,12 @@ impl EnclosedCurve {
     #[must_use]
     pub fn with_fine(self, fine: EnclosedCurve) -> Self {
         EnclosedCurve { fine: Some(Arc::new(fine)), ..self }
+    }
+
+    /// With g as an integral: where a sign is asked for, it is looked for in the few digits of an interval around a radius first.
+    #[must_use]
+    pub fn by_integrals(self) -> Self {
+        EnclosedCurve { is_by_integrals: true, ..self }
     }
 
     /// The contact over enclosures.
@@ -188,7 +199,7 @@ impl EnclosedCurve {
             return Ok(());
         }
         let ends = [lower, upper].map(|end| Interval::point(end.clone()));
-        let condition = |a: &Interval| self.condition(a);
+        let condition = |a: &Interval| self.signed_condition(a);
         let behaviour = |a: &Interval, b: &Interval| self.behaviour(&a.hull(b));
         let (mut folds, mut merged) = (Vec::new(), Vec::new());
         let isolation = isolate_each(&ends[0], &ends[1], budget, condition, behaviour, |bracket| {
@@ -262,6 +273,24 @@ impl EnclosedCurve {
         }
     }
 
+    /// The condition at a radius, with at least its sign.
+    fn signed_condition(&self, a: &Interval) -> Result<Interval> {
+        if self.is_by_integrals && a.is_point() {
+            let around = a.clone().inflate(&(a.lit(2).powi(-AROUND) * a));
+            let rough = self.condition(&around)?;
+            if !rough.contains_zero() {
+                return Ok(rough);
+            }
+        }
+        let condition = self.condition(a)?;
+        if condition.is_entire() && self.is_by_integrals {
+            let [from, to] = [a.lower(), a.upper()].map(|end| end.to_string_radix(10, Some(17)));
+            let remedy = "the profile is not known there";
+            return Err(Error::Unproved { quantity: Quantity::TransformedProfile, from, to, remedy });
+        }
+        Ok(condition)
+    }
+
     /// The tangency ratio, but −1 where g' = 0 on all of a cell and folds are where g' = 0: a flat is neutral there, and surfaces touch without
     /// holding.
     fn holding(&self, ratio: Interval) -> Interval {
@@ -307,7 +336,7 @@ impl EnclosedCurve {
             return Ok(Behaviour::Monotone);
         }
         let centre = Interval::point(cell.mid());
-        let mean_value = self.condition(&centre)? + over_cell.slope * (cell.clone() - &centre);
+        let mean_value = self.signed_condition(&centre)? + over_cell.slope * (cell.clone() - &centre);
         Ok(if mean_value.contains_zero() { Behaviour::Unknown } else { Behaviour::Nonzero })
     }
 
@@ -361,7 +390,7 @@ impl EnclosedCurve {
 
     fn half_with_zero(&self, cell: &Interval) -> Result<Option<Interval>> {
         let middle = cell.mid();
-        let at = |a: &Float| self.condition(&Interval::point(a.clone()));
+        let at = |a: &Float| self.signed_condition(&Interval::point(a.clone()));
         let (left, centre) = (at(cell.lower())?, at(&middle)?);
         let zero = centre.lit(0);
         Ok(match (left < zero, centre < zero, centre > zero) {

@@ -82,9 +82,12 @@ impl FoldProof {
         let size = |end| if is_given { enclosed.value.size(end) } else { Ok(Interval::from_literal(precision, end)) };
         let [lower, upper] = [size(&range[0])?, size(&range[1])?];
         let mut curve = enclosed.curve();
+        if certified.scene.profile.has_formula() || certified.scene.is_by_integrals() {
+            curve = curve.by_integrals();
+        }
         let asked = start(certified.digits);
         if bits < asked.bits() && asked.bits() <= FINEST {
-            curve = curve.with_fine(Enclosed::new(certified, asked)?.curve());
+            curve = curve.with_fine(Enclosed::new(certified, asked)?.curve().by_integrals());
         }
         let proved = curve.folds(lower.lower(), upper.upper(), budget_of_folds(certified.scene))?;
         let limits = is_limit.then(|| range.clone());

@@ -181,6 +181,11 @@ impl<R: Special> Node<R> {
         }
     }
 
+    /// Whether it is a minimum or a maximum that is the constant 0 next to a radius, from its value there: as `max(0, x)` where x is below 0.
+    fn is_flat_at<S: Lift<R>>(&self, value: &S) -> bool {
+        matches!(self, Node::Operation(Operator::Minimum | Operator::Maximum, ..)) && value.value_of().is_integer(0)
+    }
+
     fn value<S: Lift<R>>(&self, r: &S) -> S {
         if let Some(departure) = self.departure() {
             return departure.value(r);
@@ -190,10 +195,14 @@ impl<R: Special> Node<R> {
             Node::Constant(constant) => S::lift(constant),
             Node::Negative(x) => -x.value(r),
             Node::Power(x, n) => x.value(r).powi(*n),
-            Node::Function(function, x) => function.apply(&x.value(r)),
-            Node::Operation(operator, a, b) => {
-                let (a, b) = (a.value(r), b.value(r));
+            Node::Function(function, x) => {
+                let value = x.value(r);
+                if *function == Function::Sqrt && x.is_flat_at(&value) { value } else { function.apply(&value) }
+            }
+            Node::Operation(operator, base, b) => {
+                let (a, b) = (base.value(r), b.value(r));
                 match operator {
+                    Operator::Power if base.is_flat_at(&a) && b.value_of() > b.value_of().lit(0) => a,
                     Operator::Add => a + b,
                     Operator::Subtract => a - b,
                     Operator::Multiply => a * b,

@@ -148,9 +148,11 @@ impl Enclosed {
         if let Some(values) = known(&self.kept.lock().unwrap_or_else(PoisonError::into_inner)) {
             return Ok(values);
         }
-        let mut values = self.between_breaks(x, order, self.formula.breaks())?;
-        self.add_kinks(x, order, &mut values);
-        self.narrow_by_cut(x, order, &mut values);
+        let cut = if self.cuts.are_preferred() { self.cut(x, order) } else { None };
+        let values = match cut {
+            Some(values) if !is_vague(&values) => values,
+            cut => self.along_rays(x, order, cut)?,
+        };
         if !Span::of(x).is_wide && !values.iter().all(Real::is_finite) {
             return Err(unproved(x, "a kink of the formula is not located"));
         }
@@ -162,17 +164,20 @@ impl Enclosed {
         Ok(values)
     }
 
-    /// What a cut below an interval of radii knows better, where little is known.
-    fn narrow_by_cut(&self, x: &Interval, order: Order, values: &mut [Interval]) {
-        let is_vague = |value: &Interval| value.accuracy_bits() < FEW;
-        if !(is_vague(&values[0]) && self.cuts.are_tried()) {
-            return;
+    /// The integrals along rays, with what a cut below an interval of radii knows better, where they know little.
+    fn along_rays(&self, x: &Interval, order: Order, cut: Option<Vec<Interval>>) -> Result<Vec<Interval>> {
+        let mut values = self.between_breaks(x, order, self.formula.breaks())?;
+        self.add_kinks(x, order, &mut values);
+        if !(is_vague(&values) && self.cuts.are_tried()) {
+            self.cuts.prefer(false);
+            return Ok(values);
         }
-        let Some(cut) = self.cut(x, order, &Span::of(x)) else { return };
-        self.cuts.note(!is_vague(&cut[0]) || cut[0].radius() < values[0].radius() / HELP);
+        let Some(cut) = cut.or_else(|| self.cut(x, order)) else { return Ok(values) };
+        self.cuts.note(!is_vague(&cut) || cut[0].radius() < values[0].radius() / HELP);
         for (value, cut) in values.iter_mut().zip(cut) {
             *value = value.intersect(&cut).unwrap_or(cut);
         }
+        Ok(values)
     }
 
     /// The integrals without the terms of kinks, cut at some breaks. Over an interval of radii that is too wide nothing is known.
@@ -369,6 +374,11 @@ impl Enclosed {
         let one = parts.next()??;
         parts.try_fold(one, |hull, other| Some(hull.hull(&other?)))
     }
+}
+
+/// Whether little is known of the first of some integrals.
+fn is_vague(values: &[Interval]) -> bool {
+    values[0].accuracy_bits() < FEW
 }
 
 fn unproved(x: &Interval, remedy: &'static str) -> Error {

@@ -11,7 +11,7 @@
 //! kernel depends on x, and it is smooth. What is zero up to c and h from there on is a formula with a kink in f''.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 
 use mdr_core::calculus::enclose::{BOUND_BITS, Goal, Integrand, enclose};
 use mdr_core::contact::{FormulaPart, Touched};
@@ -36,26 +36,35 @@ const TRIALS: u32 = 8;
 /// How often cuts have helped, which profiles without anything narrow need not be asked for ever.
 #[derive(Debug, Default)]
 pub(super) struct Cuts {
-    failures: AtomicU64,
+    failures: AtomicU32,
+    is_preferred: AtomicBool,
 }
 
 impl Cuts {
     pub(super) fn are_tried(&self) -> bool {
-        self.failures.load(Ordering::Relaxed) < u64::from(TRIALS)
+        self.failures.load(Ordering::Relaxed) < TRIALS
+    }
+
+    /// Whether a cut comes first, as one has helped the last time that one was asked for.
+    pub(super) fn are_preferred(&self) -> bool {
+        self.is_preferred.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn prefer(&self, is_preferred: bool) {
+        self.is_preferred.store(is_preferred, Ordering::Relaxed);
     }
 
     pub(super) fn note(&self, has_helped: bool) {
-        if has_helped {
-            self.failures.store(0, Ordering::Relaxed);
-        } else {
-            self.failures.fetch_add(1, Ordering::Relaxed);
-        }
+        self.prefer(has_helped);
+        let failures = if has_helped { 0 } else { self.failures.load(Ordering::Relaxed) + 1 };
+        self.failures.store(failures, Ordering::Relaxed);
     }
 }
 
 impl Enclosed {
     /// The integrals for slopes over an interval of radii, from a cut below it; `None` where there is none, or one takes too many pieces.
-    pub(super) fn cut(&self, x: &Interval, order: Order, span: &Span) -> Option<Vec<Interval>> {
+    pub(super) fn cut(&self, x: &Interval, order: Order) -> Option<Vec<Interval>> {
+        let span = &Span::of(x);
         if order == Order::Value || !span.is_wide || !matches!(self.weight, Weight::HalfSpace) {
             return None;
         }
