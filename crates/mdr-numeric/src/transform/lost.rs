@@ -5,7 +5,9 @@ use mdr_core::number::{Interval, Precision, Real};
 
 use super::integrand::Integrand;
 
-/// The powers of ten that are looked at.
+/// Radii are looked at that are this times powers of ten, as kinks are often at those themselves,
+const BESIDE: f64 = 1.37;
+/// and these powers.
 const DECADES: std::ops::RangeInclusive<i32> = -24..=20;
 /// The relative error of a double in which it is lost.
 const LOST: f64 = 1e-8;
@@ -15,7 +17,7 @@ const SHARP: i64 = 40;
 const SMALL: f64 = 1e-280;
 
 /// For each integrand of the [quadratures](super::Quadrature) the radius below which its doubles are lost to the rounding of terms that cancel,
-/// such as those of exp(r) − 1 − r, by a profile over enclosures; 0 where none are.
+/// such as those of (exp(r) + r) − (1 + 2r), by a profile over enclosures; 0 where none are.
 ///
 /// ```
 /// use mdr_core::contact::Expression;
@@ -26,7 +28,7 @@ const SMALL: f64 = 1e-280;
 ///     Ok::<_, Box<dyn std::error::Error>>(lost_below(&formula.bind((), &none)?, &formula.bind(Precision::new(256), &none)?))
 /// };
 /// assert_eq!(of("r^2/2")?, [0.0; 4]);
-/// let [height, rise, ..] = of("exp(r) - 1 - r")?;
+/// let [height, rise, ..] = of("(exp(r) + r) - (1 + 2*r)")?;
 /// assert!(height > 1e-5 && height < 1e-2 && rise > 1e-9 && rise < 1e-6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -41,7 +43,7 @@ fn below(integrand: Integrand, profile: &impl Profile<f64>, enclosed: &impl Prof
     let precision = Precision::new(BITS);
     let mut lost = 0.0;
     for decade in DECADES {
-        let r = 10f64.powi(decade);
+        let r = BESIDE * 10f64.powi(decade);
         let known = integrand.at(enclosed, &Interval::from_int(precision, 1), &Interval::from_f64(precision, r));
         let is_known = known.is_finite() && !known.contains_zero() && known.accuracy_bits() >= SHARP;
         let known = known.approx();
