@@ -30,8 +30,8 @@ const NARROW: f64 = 1.0 / 32.0;
 /// Where the kernel is sampled for its size, as shares of c.
 const SAMPLES: [f64; 4] = [0.93, 0.71, 0.43, 0.17];
 
-/// Whether cuts help: after so many failures they are no longer tried.
-const TRIALS: u32 = 8;
+/// After so many cuts that did not help they are no longer tried: waves that are everywhere are not better known from cuts.
+const TRIALS: u32 = 64;
 
 /// How often cuts have helped, which profiles without anything narrow need not be asked for ever.
 #[derive(Debug, Default)]
