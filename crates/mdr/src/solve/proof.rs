@@ -1,6 +1,6 @@
 //! The contact over enclosures, and all its folds on a range of radii, on which the proofs of other outputs rest.
 
-use mdr_core::contact::{Control, Error, Fold, Result};
+use mdr_core::contact::{Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::admissible::Admissibility;
@@ -27,7 +27,7 @@ const BUDGET: usize = 4_000_000;
 /// The budget between two rows of a table, where an evaluation is a sum over all rows and one fold the rule.
 const BUDGET_OF_ROWS: usize = 10_000;
 
-/// Where folds are seen beyond the range of a proof.
+/// What is said where a range was chosen that ends before the last of the folds that are seen.
 const BEYOND: &str = "; beyond this range a search in f64 sees more, and `folds.range` asks for them";
 
 /// The contact over enclosures, and over enclosures with derivatives.
@@ -103,7 +103,7 @@ impl FoldProof {
         } else {
             (Some(from.to_string()), Some(to))
         };
-        let why = reason(&proved) + if is_given { "" } else { beyond(certified, &proved)? };
+        let why = reason(&proved) + if is_limit && !is_given { BEYOND } else { "" };
         let complete =
             Completeness { proved: proved.is_complete(), from, to, why, undecided: !proved.undecided.is_empty() };
         Ok(FoldProof { proved, complete, limits })
@@ -128,13 +128,6 @@ fn lost_bits(certified: &Certified<'_>, least: &Literal) -> Result<u32> {
         }
     }
     Ok(0)
-}
-
-/// What is said of folds beyond a range that was chosen.
-fn beyond(certified: &Certified<'_>, proved: &ProvedFolds) -> Result<&'static str> {
-    let folds = certified.search()?.folds()?;
-    let is_beyond = |fold: &Fold<f64>| fold.contact_radius > proved.range.1;
-    Ok(if folds.iter().any(is_beyond) { BEYOND } else { "" })
 }
 
 /// The evaluations that the isolation of folds may spend between two kinks.
