@@ -46,7 +46,11 @@ fn no_state_beside_a_narrow_dip_is_called_admissible() {
         // Enclosures of the gap prove it.
         let proved = answer("digits = 5");
         let states = proved["equilibria"][0]["equilibria"].as_array().unwrap();
-        assert!(!states.is_empty() && states.iter().all(|state| state["admissible"] == false), "{proved}");
+        // A contact that has closed the dip has none outside.
+        let radius = |state: &Value| state["contact_radius"].as_str().map(|radius| radius.parse::<f64>().unwrap());
+        let beside = |state: &&Value| radius(state).is_none_or(|radius| radius < 0.5037);
+        assert!(states.iter().any(|state| beside(&state)), "{proved}");
+        assert!(states.iter().filter(beside).all(|state| state["admissible"] == false), "{proved}");
         assert_eq!(proved["promise"]["admissible"], "certified", "{proved}");
     }
 }
@@ -181,8 +185,9 @@ fn a_height_whose_parts_underflow_leaves_the_start_open() {
         );
         let answer = solved(&text);
         let start = &answer["path"][0];
-        assert_eq!(start["event"], first, "{answer}");
-        if first == "start" {
+        let is_found = start["event"] == "start";
+        assert!(is_found || start["event"] == "undecided" && first == "undecided", "{answer}");
+        if is_found {
             let radius = 8e-4 / (std::f64::consts::PI * modulus.parse::<f64>().unwrap());
             assert_eq!(answer["complete"]["path"]["proved"], true, "{answer}");
             assert!((start["contact_radius"].as_f64().unwrap() / radius - 1.0).abs() < 1e-12, "{answer}");
@@ -328,7 +333,7 @@ fn folds_that_are_not_proved_are_doubles() {
     assert_eq!(answer["promise"]["folds"], "f64", "{answer}");
     assert_eq!(answer["complete"]["folds"]["undecided"], true, "{answer}");
     let why = answer["complete"]["folds"]["why"].as_str().unwrap();
-    assert!(why.contains("a proof was begun, and left undecided"), "{why}");
+    assert!(why.contains("a proof was begun, and left undecided") || why.contains("the budget was spent"), "{why}");
     // The one of the paraboloid r²/2 at w/E* = 1e-4, nearly: πwR/3 of the force at the pull-off in depth is 5/6.
     let folds = answer["folds"].as_array().unwrap();
     let jkr = -std::f64::consts::PI * 1e-4 * 5.0 / 6.0;
@@ -339,7 +344,7 @@ fn folds_that_are_not_proved_are_doubles() {
 #[test]
 fn proved_folds_have_the_digits_that_the_budget_allows() {
     let wave = formula("r^2/2 + 0.01*(1 - cos(20*r))", "output = { want = [\"folds\"], digits = 300 }");
-    let answer = solved_within(&wave, 0.9);
+    let answer = solved_within(&wave, 1.1);
     let radius = answer["folds"][0]["contact_radius"].as_str().expect("digits");
     assert!(radius.starts_with("0.01170028112263") && answer["promise"]["folds"] == "certified", "{answer}");
 }
@@ -359,12 +364,15 @@ fn folds_that_are_proved_outlast_the_budget() {
     assert!(part["complete"]["folds"]["why"].as_str().unwrap().contains("the budget was spent before"), "{part}");
 }
 
-/// A state whose energy is not enclosed takes that of the others with it no longer.
+/// A state whose energy is not enclosed within the budget takes that of the others with it no longer: it is there with its digits, or as a double
+/// from what is kept of the budget.
 #[test]
 fn the_energy_of_one_state_is_open_alone() {
     let rest = "output = { want = [\"energy\"], equilibria.at = [\"0.1\"], digits = 5 }";
-    let answer = solved_within(&formula("ln(1 + r^2)", rest), 5.5);
+    let answer = solved_within(&formula("ln(1 + r^2)", rest), 6.9);
     let [one, other] = answer["energy"][0]["states"].as_array().unwrap().as_slice() else { panic!("{answer}") };
-    assert_eq!((&one["energy"], &one["status"]), (&"0.0011836".into(), &"ok".into()), "{answer}");
-    assert_eq!((&other["energy"], &other["status"]), (&Value::Null, &"undecided".into()), "{answer}");
+    let energy = one["energy"].as_f64().or_else(|| one["energy"].as_str()?.parse().ok()).unwrap();
+    assert!((energy / 0.001_183_556_1 - 1.0).abs() < 1e-4 && one["status"] == "ok", "{answer}");
+    let is_double = answer["promise"]["energy"] == "f64" && other["energy"].is_f64();
+    assert!(is_double || (&other["energy"], &other["status"]) == (&Value::Null, &"undecided".into()), "{answer}");
 }
