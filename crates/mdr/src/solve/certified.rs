@@ -196,7 +196,7 @@ impl<'s> Certified<'s> {
     /// Likewise, beginning with the bits of the digits.
     ///
     /// # Errors
-    /// Those of [`decide_from`](Certified::decide_from).
+    /// The errors of [`decide_from`](Certified::decide_from).
     pub(crate) fn decide<T: Numbers<Enclosure>>(
         &self,
         f: impl FnMut(Precision) -> Result<T>,
