@@ -64,7 +64,7 @@ pub struct Budget {
     spent: AtomicU64,
     /// The work up to which evaluations are allowed; 0 without a limit.
     limit: AtomicU64,
-    /// What is kept of it for those that begin last.
+    /// What is kept of it for what begins last.
     reserve: AtomicU64,
 }
 
@@ -90,14 +90,18 @@ impl Budget {
 
     /// Whether nothing is left.
     pub fn is_spent(&self) -> bool {
-        let limit = self.limit.load(Ordering::Relaxed);
-        limit > 0 && self.spent() >= limit
+        self.left() == Some(0)
     }
 
-    /// Whether nothing is left but a fifth that is kept for those that begin last.
+    /// Whether no more is left than the fifth that is kept for what begins last.
     pub fn is_spent_but_for_reserve(&self) -> bool {
+        self.left().is_some_and(|left| left <= self.reserve.load(Ordering::Relaxed))
+    }
+
+    /// The work that is left, if there is a limit.
+    fn left(&self) -> Option<u64> {
         let limit = self.limit.load(Ordering::Relaxed);
-        limit > 0 && self.spent() >= limit.saturating_sub(self.reserve.load(Ordering::Relaxed))
+        (limit > 0).then(|| limit.saturating_sub(self.spent()))
     }
 }
 
@@ -113,7 +117,7 @@ impl EvaluationCounter {
         EvaluationCounter { budget: Arc::clone(budget), ..self }
     }
 
-    /// The count, to which the reserve of its budget does not belong: as of proofs, after which hardware arithmetic has its turn.
+    /// The count, ended where no more than the reserve of its budget is left: for proofs, after which hardware arithmetic has its turn.
     #[must_use]
     pub fn leaving_reserve(self) -> Self {
         EvaluationCounter { leaves_reserve: true, ..self }

@@ -4,6 +4,8 @@ use std::fmt;
 
 use thiserror::Error as ThisError;
 
+#[cfg(feature = "mp")]
+use crate::number::Interval;
 use crate::number::Real;
 use crate::text::excerpt;
 
@@ -202,6 +204,13 @@ impl Error {
     /// A decision that the precision of `like` does not allow.
     pub fn undecided<R: Real>(quantity: Quantity, like: &R, what: &'static str) -> Error {
         Error::Undecided { quantity, bits: like.precision(), what }
+    }
+
+    /// Nothing proved between the ends of an interval.
+    #[cfg(feature = "mp")]
+    pub fn unproved(quantity: Quantity, over: &Interval, remedy: &'static str) -> Error {
+        let [from, to] = [over.lower(), over.upper()].map(|end| end.to_string_radix(10, Some(17)));
+        Error::Unproved { quantity, from, to, remedy }
     }
 
     /// Arrays of the expected length.

@@ -16,7 +16,7 @@ pub use counted::{Budget, CountingTransform, EvaluationCounter, Evaluations};
 pub use error::{Error, Quantity, Result};
 #[cfg(feature = "mp")]
 pub use expression::{
-    Breaks, EnclosedFormula, FormulaPart, FormulaShape, LocalPolynomial, Lowest, LowestRing, Touched,
+    Breaks, CutFormula, EnclosedFormula, FormulaPart, FormulaShape, LocalPolynomial, Lowest, LowestRing,
 };
 pub use expression::{Expression, ExpressionError, ExpressionProfile};
 pub use kink::{Kink, Slopes};

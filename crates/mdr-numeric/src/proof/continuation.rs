@@ -173,7 +173,7 @@ impl Continuation {
             return self.heights(&x.scaled(sine), order, 0);
         }
         self.count::<T>();
-        let values = self.terms.iter().map(|term| term.part(self.index(term, 0))?.derivatives_along(x, sine, order));
+        let values = self.terms.iter().map(|term| term.part(0)?.derivatives_along(x, sine, order));
         sum(values)
     }
 

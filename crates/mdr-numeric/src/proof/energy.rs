@@ -264,7 +264,5 @@ pub(super) fn located(error: Error, at: &Interval) -> Error {
 }
 
 pub(super) fn unproved(at: &Interval) -> Error {
-    let [from, to] = [at.lower(), at.upper()].map(|end| end.to_string_radix(10, Some(17)));
-    let remedy = "an integral up to there takes too many pieces";
-    Error::Unproved { quantity: Quantity::Integral, from, to, remedy }
+    Error::unproved(Quantity::Integral, at, "an integral up to there takes too many pieces")
 }

@@ -284,9 +284,7 @@ impl EnclosedCurve {
         }
         let condition = self.condition(a)?;
         if condition.is_entire() && self.is_by_integrals {
-            let [from, to] = [a.lower(), a.upper()].map(|end| end.to_string_radix(10, Some(17)));
-            let remedy = "the profile is not known there";
-            return Err(Error::Unproved { quantity: Quantity::TransformedProfile, from, to, remedy });
+            return Err(Error::unproved(Quantity::TransformedProfile, a, "the profile is not known there"));
         }
         Ok(condition)
     }

@@ -16,7 +16,7 @@ use std::ops::RangeInclusive;
 
 use mdr_core::calculus::enclose::BOUND_BITS;
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
-use mdr_core::number::{Euler, Interval, Precision, Real, Special};
+use mdr_core::number::{Interval, Precision, Real, Special};
 
 use super::continuation::Continuation;
 use super::fields::moments;
@@ -94,7 +94,7 @@ impl Outside<'_> {
         let bend = bend + a.square() * a / &cube * &j[1] - ratio.square() * a * &j[2];
         let mut heights: Option<[Interval; 3]> = None;
         for beyond in parts {
-            let f = self.profile.height(&Euler::variable(r, 2), beyond).ok_or_else(|| self.open(r))?;
+            let f = self.profile.heights(r, 2, beyond).ok_or_else(|| self.open(r))?;
             let (rise, second) = (f.derivative(1), f.derivative(2));
             let of = [f.value().clone(), rise.clone() / r, (second - rise) / r.square()];
             heights = Some(match heights {
@@ -108,8 +108,7 @@ impl Outside<'_> {
     }
 
     pub(super) fn open(&self, r: &Interval) -> Error {
-        let [from, to] = [r.lower(), r.upper()].map(|end| end.to_string_radix(10, Some(17)));
-        Error::Unproved { quantity: Quantity::Radius, from, to, remedy: "the gap is not enclosed there" }
+        Error::unproved(Quantity::Radius, r, "the gap is not enclosed there")
     }
 
     fn undecided(&self) -> Error {

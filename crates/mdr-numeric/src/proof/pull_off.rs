@@ -15,7 +15,7 @@
 
 use mdr_core::calculus::verify::verify;
 use mdr_core::contact::{Error, Result};
-use mdr_core::number::{Euler, Interval, Real};
+use mdr_core::number::{Interval, Real};
 
 use super::continuation::Continuation;
 use super::energy::unproved;
@@ -180,7 +180,7 @@ impl<'a> EnclosedPullOff<'a> {
 
     /// f and its derivatives at a radius that lies beyond so many kinks.
     fn heights(&self, c: &Interval, beyond: usize) -> Result<Heights> {
-        let f = self.profile.height(&Euler::variable(c, 2), beyond).ok_or_else(|| unproved(c))?;
+        let f = self.profile.heights(c, 2, beyond).ok_or_else(|| unproved(c))?;
         Ok([f.value().clone(), f.derivative(1), f.derivative(2)])
     }
 

@@ -153,6 +153,12 @@ impl Scene {
         !self.is_closed() && self.is_enclosed()
     }
 
+    /// Whether g takes integrals over the profile, whose cost grows with the waves inside a radius.
+    #[cfg(feature = "mp")]
+    pub(crate) fn takes_integrals(&self) -> bool {
+        self.profile.has_formula() || self.is_by_integrals()
+    }
+
     /// Whether the fold at this contact radius under a dead load is at the depth 0, exactly: that of a power n = (3 + k)/2, such as a
     /// paraboloid, or the parabolic cap of a cone, on a Winkler foundation.
     #[cfg(feature = "mp")]

@@ -73,7 +73,7 @@ impl FoldProof {
         let mut enclosed = Enclosed::new(certified, Precision::new(ISOLATION))?;
         // Cells as close to an equator as folds may be.
         let bits = ISOLATION.max(3 * enclosed.curve().octaves_to_equator()? - ISOLATION);
-        let bits = bits + lost_bits(certified, &range[0])?;
+        let bits = bits + lost_bits(certified, &enclosed, &range[0])?;
         let precision = Precision::new(bits);
         if bits > ISOLATION {
             enclosed = Enclosed::new(certified, precision)?;
@@ -82,7 +82,7 @@ impl FoldProof {
         let size = |end| if is_given { enclosed.value.size(end) } else { Ok(Interval::from_literal(precision, end)) };
         let [lower, upper] = [size(&range[0])?, size(&range[1])?];
         let mut curve = enclosed.curve();
-        if certified.scene.profile.has_formula() || certified.scene.is_by_integrals() {
+        if certified.scene.takes_integrals() {
             curve = curve.by_integrals();
         }
         let asked = start(certified.digits);
@@ -111,19 +111,19 @@ impl FoldProof {
 }
 
 /// The bits by which the isolation is finer where the terms of a formula cancel towards the axis: such as x g' needs at the least radius.
-fn lost_bits(certified: &Certified<'_>, least: &Literal) -> Result<u32> {
+fn lost_bits(certified: &Certified<'_>, coarse: &Enclosed, least: &Literal) -> Result<u32> {
     if !certified.scene.profile.has_formula() || certified.scene.pressed_into().is_periodic() {
         return Ok(0);
     }
-    let is_accurate = |more: u32| {
-        let precision = Precision::new(ISOLATION + more);
-        let enclosed = Enclosed::new(certified, precision)?;
-        let radius = enclosed.value.size(least)?;
-        let slope = enclosed.value.contact().transform().slope(&radius);
+    let is_accurate = |enclosed: &Enclosed| {
+        let slope = enclosed.value.contact().transform().slope(&enclosed.value.size(least)?);
         Ok(decided(slope)?.is_none_or(|slope| slope.accuracy_bits() > i64::from(ISOLATION / 2)))
     };
-    for more in (0..=MOST_LOST).step_by(ISOLATION as usize) {
-        if is_accurate(more)? {
+    if is_accurate(coarse)? {
+        return Ok(0);
+    }
+    for more in (ISOLATION..=MOST_LOST).step_by(ISOLATION as usize) {
+        if is_accurate(&Enclosed::new(certified, Precision::new(ISOLATION + more))?)? {
             return Ok(more);
         }
     }

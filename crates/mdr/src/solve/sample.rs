@@ -68,7 +68,7 @@ pub(crate) struct Range {
 /// Errors of the search for folds.
 #[cfg(feature = "mp")]
 pub(crate) fn end_of_proof(search: &Search<'_>) -> Result<Option<f64>> {
-    if !is_by_integrals(search) {
+    if !search.scene.takes_integrals() {
         return Ok(None);
     }
     let folds = search.folds()?;
@@ -76,22 +76,16 @@ pub(crate) fn end_of_proof(search: &Search<'_>) -> Result<Option<f64>> {
     Ok(folds.get(FOLDS_OF_INTEGRALS).map(|next| between(&folds[FOLDS_OF_INTEGRALS - 1], next)))
 }
 
-/// Whether g is an integral over the profile, whose cost grows with the waves inside the radius.
-#[cfg(feature = "mp")]
-fn is_by_integrals(search: &Search<'_>) -> bool {
-    search.scene.profile.has_formula() || search.scene.is_by_integrals()
-}
-
-#[cfg(feature = "mp")]
 /// The range of contact radii on which all folds are to be proved: far around the folds found in f64 and the kinks, and with the
 /// radii to which the scene leads, to powers of ten; less far where g is an integral, and not beyond [`end_of_proof`] unless the
 /// scene leads there.
 ///
 /// # Errors
 /// When w/E* or a fold is out of the range of f64; errors of the search for folds.
+#[cfg(feature = "mp")]
 pub(crate) fn range(search: &Search<'_>) -> Result<Range> {
     let (model, folds, visited) = (&search.model, search.folds()?, &search.visited());
-    let by_integrals = is_by_integrals(search);
+    let by_integrals = search.scene.takes_integrals();
     let reach = if by_integrals { REACH_OF_INTEGRALS } else { REACH };
     let (lower, upper) = proof::range(&model.contact(), folds, reach, visited);
     let power = |value: f64| decimal(10f64.powf(value.log10().round()), 1);

@@ -9,7 +9,7 @@ use super::breaks::Breaks;
 use super::switch::{Switch, is_positive};
 use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
 use crate::calculus::enclose::BOUND_BITS;
-use crate::number::{Analytic, Dual, Euler, Interval, Literal, NearZero, Precision, Real};
+use crate::number::{Analytic, Dual, Euler, Interval, Literal, Precision, Real};
 
 /// Bits beyond those of the precision in which breaks are located.
 const BEYOND: u32 = 8;
@@ -147,30 +147,6 @@ impl EnclosedFormula {
         fewer
     }
 
-    /// The formula before its first break, cut at a radius c > 0 where a parabola touches it; `None` where it is not known there.
-    pub fn touched_at(&self, c: &Interval) -> Option<Touched> {
-        let part = self.part(0)?;
-        let f = part.at(&Euler::variable(c, 2))?;
-        let [height, rise] = [f.value().clone(), f.derivative(1)];
-        let bend = rise.clone() / c.square().times(2);
-        let inside = part.less_parabola(&(height - rise.clone().over(2)), &bend);
-        let zero = c.lit(0);
-        let jump = vec![zero.clone(), zero.clone(), f.derivative(2) - rise.times(2)];
-        let nothing = FormulaPart {
-            trees: part.trees.each_ref().map(|tree| Node::Constant(tree.any_constant().lit(0))),
-            rooted: None,
-            cleared: None,
-        };
-        let outside = EnclosedFormula {
-            parts: vec![Some(nothing), Some(inside.clone())],
-            breaks: vec![c.clone()],
-            jumps: vec![Some(jump)],
-            outer: self.outer.clone(),
-            known_to: self.known_to.clone(),
-        };
-        Some(Touched { inside, outside, bend })
-    }
-
     /// The formula of a profile whose f' is known to be continuous, as where a cone is tangent to its cap: no jump of Df is left, where
     /// enclosures of both sides cannot tell that they are the same.
     #[must_use]
@@ -192,31 +168,7 @@ impl EnclosedFormula {
     }
 }
 
-/// A formula f cut at a radius c, where the parabola P = α + βr² touches it.
-#[derive(Clone, Debug)]
-pub struct Touched {
-    /// f − P.
-    pub inside: FormulaPart,
-    /// Zero up to c and f − P from there on: f'' jumps at c.
-    pub outside: EnclosedFormula,
-    /// β.
-    pub bend: Interval,
-}
-
 impl FormulaPart {
-    /// f − α − βr².
-    fn less_parabola(&self, height: &Interval, bend: &Interval) -> FormulaPart {
-        let less = |tree: &Node<Interval>| {
-            let precision = Precision::new(tree.any_constant().precision());
-            let [height, bend] = [height, bend].map(|value| Box::new(Node::Constant(value.rounded(precision))));
-            let square = Box::new(Node::Power(Box::new(Node::Variable), 2));
-            let bent = Box::new(Node::Operation(Operator::Multiply, bend, square));
-            let parabola = Box::new(Node::Operation(Operator::Add, height, bent));
-            Node::Operation(Operator::Subtract, Box::new(tree.clone()), parabola)
-        };
-        FormulaPart { trees: self.trees.each_ref().map(less), rooted: None, cleared: self.cleared.clone() }
-    }
-
     /// f over a set of radii.
     pub fn at<T: Analytic>(&self, r: &T) -> Option<T> {
         let tree = if r.bits() <= BOUND_BITS { &self.trees[0] } else { &self.trees[1] };
@@ -246,71 +198,6 @@ impl FormulaPart {
     pub fn at_root<T: Analytic>(&self, q: &T) -> Option<T> {
         let (_, trees) = self.rooted.as_ref()?;
         trees[usize::from(q.bits() > BOUND_BITS)].analytic(q)
-    }
-
-    /// f with its Euler derivatives up to an order over a set of radii that may hold the axis, where [`FormulaPart::at`] knows nothing of
-    /// quotients such as (1 − cos r)/r and of logarithms. The formula must tend to 0 there, as a profile does.
-    ///
-    /// ```
-    /// use mdr_core::contact::Expression;
-    /// use mdr_core::number::{Euler, Interval, Precision, Real};
-    /// let precision = Precision::new(64);
-    /// let radii = Interval::from_int(precision, 0).hull(&Interval::from_f64(precision, 0.1));
-    /// let none = Default::default();
-    /// for text in ["(1 - cos(r))/r", "r^2*ln(1/r)"] {
-    ///     let formula: Expression = text.parse()?;
-    ///     let enclosed = formula.enclosed(&none, &formula.breaks(&none)?, precision)?;
-    ///     let part = enclosed.part(0).expect("smooth");
-    ///     assert!(part.at(&Euler::variable(&radii, 1)).is_none());
-    ///     let f = part.derivatives_at(&radii, 1).expect("bounded");
-    ///     assert!(f.value().contains_zero() && f.derivative(1).upper().to_f64() < 0.3);
-    /// }
-    /// # Ok::<(), mdr_core::contact::ExpressionError>(())
-    /// ```
-    pub fn derivatives_at<T: Analytic>(&self, r: &T, order: usize) -> Option<Euler<T>> {
-        self.derivatives_over(r, 1, order)
-    }
-
-    /// Likewise over a set of roots q = r^(1/k) of radii, with the k of [`FormulaPart::root`]; `None` without one, too.
-    pub fn derivatives_at_root<T: Analytic>(&self, q: &T, order: usize) -> Option<Euler<T>> {
-        self.derivatives_over(q, self.root()?, order)
-    }
-
-    /// The derivatives over a set of r for k = 1, or of q.
-    fn derivatives_over<T: Analytic>(&self, place: &T, k: u32, order: usize) -> Option<Euler<T>> {
-        let plain = self.plain_derivatives(place, k, order);
-        if plain.is_some() {
-            return plain;
-        }
-        // Without the divisions it is analytic, with them too but for a pole at the axis; and there it tends to 0.
-        let cleared = || {
-            let cleared = self.cleared.as_deref()?;
-            let bounded = |set: &T::Complex| cleared.plain_derivatives(set, k, order).filter(Analytic::is_bounded);
-            place.by_boundary(
-                |set| bounded(set).is_some(),
-                |set| Some(self.plain_derivatives(set, k, order)?.derivatives()),
-            )
-        };
-        let beside = || self.derivatives_near(&place.beside_zero()?, k, order);
-        cleared().and_then(Euler::from_derivatives).or_else(beside)
-    }
-
-    /// Likewise over all x s with 0 < s ≤ ε, for real or complex x and a number ε < 1.
-    pub fn derivatives_along<T: Analytic>(&self, x: &T, end: &Interval, order: usize) -> Option<Euler<T>> {
-        let all = end.lit(0).hull(end);
-        let near = || self.derivatives_near(&NearZero::up_to(x, end)?, 1, order);
-        self.derivatives_at(&x.scaled(&all), order).or_else(near)
-    }
-
-    fn derivatives_near<T: Analytic>(&self, near: &NearZero<T>, k: u32, order: usize) -> Option<Euler<T>> {
-        let derivatives = self.plain_derivatives(near, k, order)?.derivatives();
-        Euler::from_derivatives(derivatives.iter().map(NearZero::range).collect::<Option<_>>()?)
-    }
-
-    /// Where all steps of the formula are defined.
-    fn plain_derivatives<T: Analytic>(&self, place: &T, k: u32, order: usize) -> Option<Euler<T>> {
-        let variable = Euler::root(place, k, order);
-        if k == 1 { self.at(&variable) } else { self.at_root(&variable) }
     }
 
     /// (r f')' = f' + r f'' over a cell of radii, which may begin at 0; `None` where it is not bounded.
@@ -400,7 +287,7 @@ impl Node<Interval> {
     }
 
     /// A constant in it, for its precision.
-    fn any_constant(&self) -> Interval {
+    pub(super) fn any_constant(&self) -> Interval {
         match self {
             Node::Constant(constant) => constant.clone(),
             Node::Variable => Interval::from_int(Precision::new(BOUND_BITS), 0),

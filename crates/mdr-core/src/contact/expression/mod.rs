@@ -1,17 +1,19 @@
 //! Profiles written as formulas: `r^2/(2*R) + A*(1 - cos(2*pi*r/L))`.
 
 #[cfg(feature = "mp")]
+mod axis;
+#[cfg(feature = "mp")]
 mod breaks;
 #[cfg(feature = "mp")]
 mod convex;
+#[cfg(feature = "mp")]
+mod cut;
 #[cfg(feature = "mp")]
 mod enclosed;
 #[cfg(feature = "mp")]
 mod jet;
 #[cfg(feature = "mp")]
 mod lowest;
-#[cfg(feature = "mp")]
-mod meromorphic;
 mod parse;
 #[cfg(feature = "mp")]
 mod pieces;
@@ -27,7 +29,9 @@ mod switch;
 #[cfg(feature = "mp")]
 pub use breaks::Breaks;
 #[cfg(feature = "mp")]
-pub use enclosed::{EnclosedFormula, FormulaPart, Touched};
+pub use cut::CutFormula;
+#[cfg(feature = "mp")]
+pub use enclosed::{EnclosedFormula, FormulaPart};
 #[cfg(feature = "mp")]
 pub use lowest::{FormulaShape, Lowest, LowestRing};
 #[cfg(feature = "mp")]

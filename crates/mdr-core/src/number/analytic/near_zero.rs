@@ -84,11 +84,12 @@ impl<T: Analytic> NearZero<T> {
     }
 
     /// A function of the values, by their range; nothing is known of it where they have no bounds.
-    fn by_range<U>(&self, function: impl Fn(&T) -> U, with: impl Fn(&Self, U) -> Self) -> Self {
-        let entire = || self.of(Rational::new(), vec![self.unit.constant(&Interval::entire(self.end.ctx()))]);
-        self.range().map_or_else(entire, |range| with(self, function(&range)))
+    fn by_range(&self, function: impl Fn(&T) -> T) -> Self {
+        let entire = || self.unit.constant(&Interval::entire(self.end.ctx()));
+        self.constant_set(self.range().map_or_else(entire, |range| function(&range)))
     }
 
+    /// Values within one set, of which nothing more is known.
     fn constant_set(&self, value: T) -> Self {
         self.of(Rational::new(), vec![value])
     }
@@ -177,7 +178,7 @@ impl<T: Analytic> Analytic for NearZero<T> {
         Some(self.of(Rational::from(order / 2u32), vec![a.sqrt()?]))
     }
     fn exp(&self) -> Self {
-        self.by_range(T::exp, Self::constant_set)
+        self.by_range(T::exp)
     }
     /// ln(a sᵖ) = ln a − pℓ.
     fn ln(&self) -> Option<Self> {
@@ -187,16 +188,10 @@ impl<T: Analytic> Analytic for NearZero<T> {
         Some(self.of(Rational::new(), if without { vec![a.ln()?] } else { vec![a.ln()?, slope] }))
     }
     fn sin_cos(&self) -> (Self, Self) {
-        (
-            self.by_range(T::sin_cos, |near, both| near.constant_set(both.0)),
-            self.by_range(T::sin_cos, |near, both| near.constant_set(both.1)),
-        )
+        (self.by_range(|x| x.sin_cos().0), self.by_range(|x| x.sin_cos().1))
     }
     fn sinh_cosh(&self) -> (Self, Self) {
-        (
-            self.by_range(T::sinh_cosh, |near, both| near.constant_set(both.0)),
-            self.by_range(T::sinh_cosh, |near, both| near.constant_set(both.1)),
-        )
+        (self.by_range(|x| x.sinh_cosh().0), self.by_range(|x| x.sinh_cosh().1))
     }
     fn atan(&self) -> Option<Self> {
         Some(self.constant_set(self.range()?.atan()?))

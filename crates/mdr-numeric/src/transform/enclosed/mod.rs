@@ -10,10 +10,10 @@
 //! x²g'' = M₃ + kM₂ − (1 + k)M₁. On a Winkler foundation, k = 1, g = f. In line contact N = ∫Df dθ, bN' = ∫D²f dθ and
 //! b²N'' = ∫(D³f − D²f) dθ, and the mean of N against a reference L is (2/π)√(1 − b²/L²) ∫ f/(1 − (b/L)² sin²θ) dθ.
 
+mod cut;
 mod ray;
 mod slopes;
 mod span;
-mod split;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -24,10 +24,10 @@ use mdr_core::number::{Analytic, Interval, Precision, Real, Special};
 use rug::Float;
 
 use super::weight::Weight;
+use cut::Cuts;
 use ray::Ray;
 pub use slopes::EnclosedWithSlopes;
 use span::{Gap, Span, gaps};
-use split::Cuts;
 
 /// The most pieces of an integral at one radius,
 const PIECES: usize = 400;
@@ -148,11 +148,9 @@ impl Enclosed {
         if let Some(values) = known(&self.kept.lock().unwrap_or_else(PoisonError::into_inner)) {
             return Ok(values);
         }
-        let cut = if self.cuts.are_preferred() { self.cut(x, order) } else { None };
-        let values = match cut {
-            Some(values) if !is_vague(&values) => values,
-            cut => self.along_rays(x, order, cut)?,
-        };
+        let mut values = self.between_breaks(x, order, self.formula.breaks())?;
+        self.add_kinks(x, order, &mut values);
+        self.narrow_by_cut(x, order, &mut values);
         if !Span::of(x).is_wide && !values.iter().all(Real::is_finite) {
             return Err(unproved(x, "a kink of the formula is not located"));
         }
@@ -164,20 +162,17 @@ impl Enclosed {
         Ok(values)
     }
 
-    /// The integrals along rays, with what a cut below an interval of radii knows better, where they know little.
-    fn along_rays(&self, x: &Interval, order: Order, cut: Option<Vec<Interval>>) -> Result<Vec<Interval>> {
-        let mut values = self.between_breaks(x, order, self.formula.breaks())?;
-        self.add_kinks(x, order, &mut values);
-        if !(is_vague(&values) && self.cuts.are_tried()) {
-            self.cuts.prefer(false);
-            return Ok(values);
+    /// Narrows integrals over an interval of radii by what a cut below it knows, where they say little.
+    fn narrow_by_cut(&self, x: &Interval, order: Order, values: &mut [Interval]) {
+        let is_vague = |values: &[Interval]| values[0].accuracy_bits() < FEW;
+        if !(is_vague(values) && self.cuts.are_tried()) {
+            return;
         }
-        let Some(cut) = cut.or_else(|| self.cut(x, order)) else { return Ok(values) };
+        let Some(cut) = self.cut(x, order) else { return };
         self.cuts.note(!is_vague(&cut) || cut[0].radius() < values[0].radius() / HELP);
         for (value, cut) in values.iter_mut().zip(cut) {
             *value = value.intersect(&cut).unwrap_or(cut);
         }
-        Ok(values)
     }
 
     /// The integrals without the terms of kinks, cut at some breaks. Over an interval of radii that is too wide nothing is known.
@@ -376,14 +371,8 @@ impl Enclosed {
     }
 }
 
-/// Whether little is known of the first of some integrals.
-fn is_vague(values: &[Interval]) -> bool {
-    values[0].accuracy_bits() < FEW
-}
-
 fn unproved(x: &Interval, remedy: &'static str) -> Error {
-    let [from, to] = [x.lower(), x.upper()].map(|end| end.to_string_radix(10, Some(17)));
-    Error::Unproved { quantity: Quantity::TransformedProfile, from, to, remedy }
+    Error::unproved(Quantity::TransformedProfile, x, remedy)
 }
 
 impl Order {

@@ -11,10 +11,10 @@
 //! kernel depends on x, and it is smooth. What is zero up to c and h from there on is a formula with a kink in f''.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 
 use mdr_core::calculus::enclose::{BOUND_BITS, Goal, Integrand, enclose};
-use mdr_core::contact::{FormulaPart, Touched};
+use mdr_core::contact::{CutFormula, FormulaPart};
 use mdr_core::number::{Analytic, Interval, Real};
 use rug::Float;
 
@@ -33,11 +33,10 @@ const SAMPLES: [f64; 4] = [0.93, 0.71, 0.43, 0.17];
 /// After so many cuts that did not help they are no longer tried: waves that are everywhere are not better known from cuts.
 const TRIALS: u32 = 64;
 
-/// How often cuts have helped, which profiles without anything narrow need not be asked for ever.
+/// How many cuts in a row have not helped.
 #[derive(Debug, Default)]
 pub(super) struct Cuts {
     failures: AtomicU32,
-    is_preferred: AtomicBool,
 }
 
 impl Cuts {
@@ -45,17 +44,7 @@ impl Cuts {
         self.failures.load(Ordering::Relaxed) < TRIALS
     }
 
-    /// Whether a cut comes first, as one has helped the last time that one was asked for.
-    pub(super) fn are_preferred(&self) -> bool {
-        self.is_preferred.load(Ordering::Relaxed)
-    }
-
-    pub(super) fn prefer(&self, is_preferred: bool) {
-        self.is_preferred.store(is_preferred, Ordering::Relaxed);
-    }
-
     pub(super) fn note(&self, has_helped: bool) {
-        self.prefer(has_helped);
         let failures = if has_helped { 0 } else { self.failures.load(Ordering::Relaxed) + 1 };
         self.failures.store(failures, Ordering::Relaxed);
     }
@@ -75,7 +64,7 @@ impl Enclosed {
             return None;
         }
         let c = Float::with_val(BOUND_BITS, x.lower() - width * WIDTHS);
-        let Touched { inside, outside, bend } = self.formula.touched_at(&Interval::point(c.clone()))?;
+        let CutFormula { inside, outside, bend } = self.formula.cut_at(&Interval::point(c.clone()))?;
         let kernel = Kernel { part: &inside, x, order, heights: &self.heights };
         let parabola = (bend.rounded(x.ctx()) * x.square()).times(4);
         let within = enclose(&kernel, [&Float::new(BOUND_BITS), &c], &kernel.goal(&c, &parabola, span)?).ok()?;
