@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 
 use mdr_core::contact::{Expression, Profile};
+use mdr_core::number::Dual;
 
 fn at(formula: &str, r: f64) -> f64 {
     let values = BTreeMap::from([("R".to_owned(), "2".parse().unwrap())]);
@@ -58,4 +59,15 @@ fn errors_point_at_the_column() {
     assert_eq!(missing.to_string(), "column 3: unknown name `Q`; known here: r, pi");
     assert!("(".repeat(100_000).parse::<Expression>().is_err(), "deep nesting is an error, not a crash");
     assert!("r+".repeat(100_000).parse::<Expression>().is_err(), "so is a long chain");
+}
+
+/// Where max(0, x) is 0 its roots and powers are flat, with both derivatives.
+#[test]
+fn powers_of_a_flat_are_flat() {
+    for text in ["max(0, r - 0.5)^1.5", "sqrt(max(0, r - 0.5))", "min(0, 0.5 - r)^2.5"] {
+        let formula: Expression = text.parse().unwrap();
+        let profile = formula.bind::<f64>((), &BTreeMap::new()).unwrap();
+        let f = profile.height(&Dual::variable(Dual::variable(0.2)));
+        assert_eq!([f.value.value, f.value.slope, f.slope.value, f.slope.slope], [0.0; 4], "{text}");
+    }
 }

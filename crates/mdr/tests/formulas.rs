@@ -172,11 +172,9 @@ fn a_wave_as_a_formula_has_a_minimum_force() {
 /// cone of slope 1, at the radius 8w/πE*.
 #[test]
 fn a_height_whose_parts_underflow_leaves_the_start_open() {
-    for (formula, modulus, first) in [
-        ("(r^2)^0.5", "1e300", "start"),
-        ("sqrt(r^2 + r^4)", "1e200", "undecided"),
-        ("(r^4)^0.25", "1e200", "undecided"),
-    ] {
+    for (formula, modulus, first) in
+        [("(r^2)^0.5", "1e300", "start"), ("sqrt(r^2 + r^4)", "1e200", "start"), ("(r^4)^0.25", "1e200", "undecided")]
+    {
         let text = format!(
             "material = {{ e_star = \"{modulus}\", work_of_adhesion = \"1e-4\" }}
             profile = {{ kind = \"expression\", formula = \"{formula}\" }}
@@ -185,9 +183,8 @@ fn a_height_whose_parts_underflow_leaves_the_start_open() {
         );
         let answer = solved(&text);
         let start = &answer["path"][0];
-        let is_found = start["event"] == "start";
-        assert!(is_found || start["event"] == "undecided" && first == "undecided", "{answer}");
-        if is_found {
+        assert_eq!(start["event"], first, "{answer}");
+        if first == "start" {
             let radius = 8e-4 / (std::f64::consts::PI * modulus.parse::<f64>().unwrap());
             assert_eq!(answer["complete"]["path"]["proved"], true, "{answer}");
             assert!((start["contact_radius"].as_f64().unwrap() / radius - 1.0).abs() < 1e-12, "{answer}");
@@ -333,7 +330,7 @@ fn folds_that_are_not_proved_are_doubles() {
     assert_eq!(answer["promise"]["folds"], "f64", "{answer}");
     assert_eq!(answer["complete"]["folds"]["undecided"], true, "{answer}");
     let why = answer["complete"]["folds"]["why"].as_str().unwrap();
-    assert!(why.contains("a proof was begun, and left undecided") || why.contains("the budget was spent"), "{why}");
+    assert!(why.contains("the budget was spent before this was proved"), "{why}");
     // The one of the paraboloid r²/2 at w/E* = 1e-4, nearly: πwR/3 of the force at the pull-off in depth is 5/6.
     let folds = answer["folds"].as_array().unwrap();
     let jkr = -std::f64::consts::PI * 1e-4 * 5.0 / 6.0;
@@ -364,15 +361,77 @@ fn folds_that_are_proved_outlast_the_budget() {
     assert!(part["complete"]["folds"]["why"].as_str().unwrap().contains("the budget was spent before"), "{part}");
 }
 
-/// A state whose energy is not enclosed within the budget takes that of the others with it no longer: it is there with its digits, or as a double
-/// from what is kept of the budget.
+/// A state whose energy is not enclosed within the budget takes that of the others with it no longer: all are doubles, from what is kept of
+/// the budget.
 #[test]
-fn the_energy_of_one_state_is_open_alone() {
+fn an_energy_that_is_not_enclosed_is_a_double() {
     let rest = "output = { want = [\"energy\"], equilibria.at = [\"0.1\"], digits = 5 }";
     let answer = solved_within(&formula("ln(1 + r^2)", rest), 6.9);
     let [one, other] = answer["energy"][0]["states"].as_array().unwrap().as_slice() else { panic!("{answer}") };
-    let energy = one["energy"].as_f64().or_else(|| one["energy"].as_str()?.parse().ok()).unwrap();
-    assert!((energy / 0.001_183_556_1 - 1.0).abs() < 1e-4 && one["status"] == "ok", "{answer}");
-    let is_double = answer["promise"]["energy"] == "f64" && other["energy"].is_f64();
-    assert!(is_double || (&other["energy"], &other["status"]) == (&Value::Null, &"undecided".into()), "{answer}");
+    let energy = one["energy"].as_f64().unwrap();
+    assert!((energy / 0.001_183_556_1 - 1.0).abs() < 1e-7 && one["status"] == "ok", "{answer}");
+    assert!(answer["promise"]["energy"] == "f64" && other["energy"].is_f64() && other["status"] == "ok", "{answer}");
+}
+
+/// exp(r²) − 1 is the paraboloid of R = 1/2 with a relative error of r²/2. Its fold is far above w/E* = 1e-8, where doubles lose r² beside 1.
+#[test]
+fn a_fold_is_not_lost_where_terms_cancel() {
+    let text = "material = { e_star = \"1e6\", work_of_adhesion = \"0.01\" }
+        profile = { kind = \"expression\", formula = \"exp(r^2) - 1\" }
+        control = { kind = \"force\" }
+        output = { want = [\"folds\"], digits = 8 }";
+    let answer = solved(text);
+    let [fold] = answer["folds"].as_array().unwrap().as_slice() else { panic!("{answer}") };
+    let number = |key: &str| fold[key].as_str().unwrap().parse::<f64>().unwrap();
+    let jkr = [(9.0 * std::f64::consts::PI * 0.01 * 0.25 / 8e6).cbrt(), -0.75 * std::f64::consts::PI * 0.01];
+    for (found, jkr) in [number("contact_radius"), number("force")].into_iter().zip(jkr) {
+        assert!((found / jkr - 1.0).abs() < 1e-5, "{found} {jkr}");
+    }
+    assert_eq!(answer["promise"]["folds"], "certified", "{answer}");
+}
+
+/// Whether the tip is a dimple is asked where the terms that cancel there leave something.
+#[test]
+fn paths_begin_apart_where_terms_cancel_at_the_tip() {
+    for text in ["exp(r^2) - 1 - r^2", "r - tanh(r)", "exp(r) - 1 - r"] {
+        let rest = "control = { kind = \"indentation\", path = [\"-0.01\", \"0.02\", \"-0.05\"], start = \"detached\" }
+            output = { want = [\"path\"], digits = 6 }";
+        let answer = solved(&formula(text, rest));
+        let events: Vec<_> = answer["path"].as_array().unwrap().iter().map(|event| event["event"].clone()).collect();
+        assert_eq!(events, ["start", "jump-in", "way-point", "detached", "end"], "{answer}");
+        assert_eq!(answer["promise"]["path"], "certified", "{answer}");
+    }
+}
+
+/// g of r² ln(1/r) is x²(1 − 2 ln 2x); that of (exp(r²) − 1)/√r begins as those of r^1.5 + r^3.5/2, of which the second has 1.4 times the κ.
+#[test]
+fn quotients_and_logarithms_at_the_axis_are_proved() {
+    let of = |text: &str| {
+        let rest = "output = { want = [\"folds\"], digits = 12, folds.range = [\"1e-3\", \"0.1\"] }";
+        let answer = solved(&formula(text, rest));
+        let [fold] = answer["folds"].as_array().unwrap().as_slice() else { panic!("{answer}") };
+        assert_eq!(answer["promise"]["folds"], "certified", "{answer}");
+        fold["contact_radius"].as_str().unwrap().parse::<f64>().unwrap()
+    };
+    let held = |a: f64| (std::f64::consts::PI * 1e-4 / (2.0 * a)).sqrt();
+    let a = of("r^2*ln(1/r)");
+    assert!((-4.0 * a * (2.0 * a).ln() / held(a) - 1.0).abs() < 1e-9, "{a}");
+    let a = of("(exp(r^2) - 1)/sqrt(r)");
+    // κ of n = 3/2 by mpmath.
+    let kappa = 1.797_210_352_103_388_3;
+    let slope = 1.5 * kappa * a.sqrt() * (1.0 + a * a * 3.5 * 1.4 / 3.0);
+    assert!((slope / held(a) - 1.0).abs() < 4.0 * a.powi(4), "{a}");
+}
+
+/// Of waves without end the first folds are proved, and the answer says that there are more.
+#[test]
+fn the_first_folds_of_an_endless_wave_are_proved() {
+    let answer = solved(&formula("1 - cos(r)", "output = { want = [\"folds\"], digits = 5 }"));
+    assert_eq!(
+        (answer["folds"].as_array().unwrap().len(), &answer["promise"]["folds"]),
+        (8, &"certified".into()),
+        "{answer}"
+    );
+    let complete = &answer["complete"]["folds"];
+    assert!(complete["proved"] == true && complete["why"].as_str().unwrap().contains("sees more"), "{answer}");
 }
