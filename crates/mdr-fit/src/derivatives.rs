@@ -4,9 +4,20 @@ use mdr_core::contact::{Edge, Result};
 use nalgebra::DMatrix;
 
 use super::arcs::{self, Arc};
+use super::contact::Contact;
 use super::foot::Foot;
 use super::objective::{Evaluation, HELD, Objective};
+use super::pieces::{self, PIECE, in_pieces};
 use super::problem::{DataRow, Kind};
+
+/// What the derivatives of all rows have in common.
+struct Common<'a> {
+    evaluation: &'a Evaluation,
+    /// The numbers, with their places among those that are free.
+    moving: &'a [(usize, Kind)],
+    contacts: &'a [Contact<'a, f64>],
+    has_trends: bool,
+}
 
 impl Objective<'_> {
     /// The derivatives of the residuals with respect to the fitted values. A number at a bound that it presses against has none.
@@ -49,33 +60,15 @@ impl Objective<'_> {
         let kinds: Vec<Kind> = moving.iter().map(|(_, kind)| *kind).collect();
         let contacts = evaluation.contacts(self.problem.observation, &kinds)?;
         let has_trends = evaluation.numbers.trends != [0.0; 3] || kinds.iter().any(|kind| kind.is_trend());
-        for (index, (row, foot)) in self.rows.iter().zip(&evaluation.feet).enumerate() {
-            let Some(foot) = foot else {
-                let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
-                for (column, (_, kind)) in moving.iter().enumerate() {
-                    let own = f64::from(u8::from(*kind == Kind::Baseline));
-                    jacobian[(index, column)] = slope * (own + evaluation.numbers.trend_partial(*kind, row)[1]);
-                }
-                continue;
-            };
-            let contact = &contacts[evaluation.sheet_of(row)];
-            let point = contact.point(&foot.s)?;
-            let slope = self.loss(foot.residual)[1];
-            let Some(arc) = evaluation.arc(row, evaluation.labels[index]) else { continue };
-            let is_pinned = point.beyond_edge && contact.pinned.is_some();
-            for (column, (_, kind)) in moving.iter().enumerate() {
-                // What holds a pinned edge does not show: not even in rounding, which would be a direction of its own.
-                if is_pinned && !foot.is_end && *kind == Kind::Work(Edge::Receding) {
-                    continue;
-                }
-                let mut partial = arc.partial(contact, *kind, foot, &point)?;
-                if has_trends {
-                    let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, row);
-                    partial = [partial[0] + more_x, partial[1] + more_y];
-                }
-                jacobian[(index, column)] = slope * (foot.weights[0] * partial[0] + foot.weights[1] * partial[1]);
-            }
-        }
+        let count = self.rows.len();
+        let pieces = pieces::columns(jacobian.as_mut_slice(), evaluation.residuals.len(), count);
+        let common = Common { evaluation, moving, contacts: &contacts, has_trends };
+        in_pieces(pieces.into_iter(), |(piece, mut columns)| {
+            let first = piece * PIECE;
+            (first..count.min(first + PIECE)).try_for_each(|index| {
+                self.slopes_of_row(&common, index, |column, slope| columns[column][index - first] = slope)
+            })
+        })?;
         let mut index = self.rows.len();
         for (place, [_, sd]) in self.priors() {
             if let Some(column) = moving.iter().position(|(other, _)| *other == place) {
@@ -110,6 +103,38 @@ impl Objective<'_> {
             index += 1;
         }
         Ok(jacobian)
+    }
+
+    /// The derivatives of the residual of a row.
+    fn slopes_of_row(&self, of: &Common<'_>, index: usize, mut set: impl FnMut(usize, f64)) -> Result<()> {
+        let Common { evaluation, moving, contacts, has_trends } = *of;
+        let row = &self.rows[index];
+        let Some(foot) = &evaluation.feet[index] else {
+            let slope = self.loss(self.detached(&evaluation.numbers, row))[1] / self.y_scale(row);
+            for (column, (_, kind)) in moving.iter().enumerate() {
+                let own = f64::from(u8::from(*kind == Kind::Baseline));
+                set(column, slope * (own + evaluation.numbers.trend_partial(*kind, row)[1]));
+            }
+            return Ok(());
+        };
+        let contact = &contacts[evaluation.sheet_of(row)];
+        let point = contact.point(&foot.s)?;
+        let slope = self.loss(foot.residual)[1];
+        let Some(arc) = evaluation.arc(row, evaluation.labels[index]) else { return Ok(()) };
+        let is_pinned = point.beyond_edge && contact.pinned.is_some();
+        for (column, (_, kind)) in moving.iter().enumerate() {
+            // What holds a pinned edge does not show: not even in rounding, which would be a direction of its own.
+            if is_pinned && !foot.is_end && *kind == Kind::Work(Edge::Receding) {
+                continue;
+            }
+            let mut partial = arc.partial(contact, *kind, foot, &point)?;
+            if has_trends {
+                let [more_x, more_y] = evaluation.numbers.trend_partial(*kind, row);
+                partial = [partial[0] + more_x, partial[1] + more_y];
+            }
+            set(column, slope * (foot.weights[0] * partial[0] + foot.weights[1] * partial[1]));
+        }
+        Ok(())
     }
 
     /// The Jacobian for standard errors: a row that is compared to the end of an arc counts in both directions, along the

@@ -42,6 +42,11 @@ const HOPELESS: f64 = 50.0;
 /// How many evaluations the first descents take for each free number: from a start that may be far off, and from the data.
 const PATIENCE: [usize; 2] = [30, 8];
 
+/// How many evaluations a descent on all rows takes for each free number, and on how many rows altogether: fewer of a long record, to which the
+/// descents on a part of it have led, but not less than those.
+const PATIENCE_OF_ALL: usize = 100;
+const ROWS_OF_ALL: usize = 2_000_000;
+
 /// The share of a sum of squares within which two descents on a part of the rows are at one place.
 const KNOWN: f64 = 1e-4;
 
@@ -386,7 +391,8 @@ fn settled(objective: &mut Objective<'_>, free: Minimum, start: &[f64]) -> mdr_c
 }
 
 fn descended(objective: &Objective<'_>, start: &[f64], evaluations: usize) -> mdr_core::contact::Result<Minimum> {
-    let end = minimise::descend(objective, start, objective.evaluate(start, None)?, 1e-6, 100)?;
+    let patience = (ROWS_OF_ALL / objective.rows.len().max(1)).clamp(PATIENCE[1], PATIENCE_OF_ALL);
+    let end = minimise::descend(objective, start, objective.evaluate(start, None)?, 1e-6, patience)?;
     minimise::polish(objective, &end.fitted, end.evaluation, evaluations + end.evaluations, Precision::Comparable)
 }
 

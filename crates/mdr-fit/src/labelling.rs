@@ -9,6 +9,7 @@ use super::judge;
 use super::labels::Cheapest;
 use super::objective::{Evaluation, Objective};
 use super::observation::{Leg, Observation};
+use super::pieces::{PIECE, in_pieces};
 use super::problem::DataRow;
 use super::sheet::{self, Sheet};
 
@@ -96,20 +97,17 @@ impl Objective<'_> {
         first: usize,
     ) -> Result<(Vec<u32>, Vec<Option<Foot>>)> {
         // Level 0 is detached, each other that of an arc.
+        let mut found: Vec<Vec<Option<Foot>>> =
+            arcs.iter().map(|arc| self.feet(contact, arc, leg)).collect::<Result<_>>()?;
         let mut costs = vec![f64::INFINITY; arcs.len() + 1];
         let mut cheapest = Cheapest::new(costs.len(), leg.len(), leg.first().map_or(Leg::Retract, |row| row.leg));
-        let mut found: Vec<Vec<Option<Foot>>> = (0..arcs.len().max(1)).map(|_| Vec::with_capacity(leg.len())).collect();
-        let mut near = vec![0; arcs.len()];
         for (index, row) in leg.iter().enumerate() {
             costs.fill(f64::INFINITY);
-            found.iter_mut().for_each(|feet| feet.push(None));
-            let scales = self.scales(row);
-            let place = contact.numbers.untrended(row);
             let held = self.at_fold.iter().find(|held| held.row == first + index && held.beyond == 0.0);
             if let Some(held) = held
                 && let Some(fold) = sheet::arc(arcs, held.level).and_then(Arc::inner_fold)
             {
-                let foot = foot::at_fold(fold, place, scales.y);
+                let foot = foot::at_fold(fold, contact.numbers.untrended(row), self.scales(row).y);
                 costs[held.level as usize] = self.loss(foot.residual)[0].powi(2);
                 found[held.level as usize - 1][index] = Some(foot);
                 cheapest.follow(&costs);
@@ -118,19 +116,16 @@ impl Objective<'_> {
             if self.can_be(row, true) || arcs.is_empty() {
                 costs[0] = self.loss(self.detached(&contact.numbers, row))[0].powi(2);
             }
-            if self.can_be(row, false) {
-                for ((arc, near), (cost, feet)) in arcs.iter().zip(&mut near).zip(costs[1..].iter_mut().zip(&mut found))
-                {
-                    let foot = arc.foot(contact, place, &scales, near)?;
+            for (cost, feet) in costs[1..].iter_mut().zip(&found) {
+                if let Some(foot) = &feet[index] {
                     *cost = self.loss(foot.residual)[0].powi(2);
-                    feet[index] = Some(foot);
                 }
             }
             cheapest.follow(&costs);
         }
         let labels = cheapest.labels();
         // Those of the first arc make room for all.
-        let mut feet = std::mem::take(&mut found[0]);
+        let mut feet = found.first_mut().map_or_else(|| vec![None; leg.len()], std::mem::take);
         for (index, (foot, level)) in feet.iter_mut().zip(&labels).enumerate() {
             match *level as usize {
                 0 => *foot = None,
@@ -139,6 +134,20 @@ impl Objective<'_> {
             }
         }
         Ok((labels, feet))
+    }
+
+    /// The feet of the rows of a leg on an arc, of those that can be in contact.
+    fn feet(&self, contact: &Contact<'_, f64>, arc: &Arc, leg: &[DataRow]) -> Result<Vec<Option<Foot>>> {
+        let mut feet = vec![None; leg.len()];
+        let pieces = leg.chunks(PIECE).zip(feet.chunks_mut(PIECE));
+        in_pieces(pieces, |(_, (rows, feet))| {
+            let mut near = 0;
+            for (row, foot) in rows.iter().zip(feet).filter(|(row, _)| self.can_be(row, false)) {
+                *foot = Some(arc.foot(contact, contact.numbers.untrended(row), &self.scales(row), &mut near)?);
+            }
+            Ok(())
+        })?;
+        Ok(feet)
     }
 }
 

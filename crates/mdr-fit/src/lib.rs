@@ -62,6 +62,7 @@ mod minimise;
 mod objective;
 mod observation;
 mod parameter;
+mod pieces;
 mod problem;
 mod profile;
 mod quantities;

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
 use super::arcs::Turn;
 use super::judge;
-use super::objective::{AtFold, Evaluation, Objective};
+use super::objective::{AtFold, Evaluation, LONG, Objective};
 
 /// An end of a descent.
 pub(super) struct Minimum {
@@ -177,9 +177,11 @@ pub(super) enum Precision {
 
 impl Precision {
     /// The change of the curve by a step, as a share of the residuals, below which no further step is taken, and that above which second
-    /// derivatives are worth their evaluations.
-    fn steps(self) -> [f64; 2] {
+    /// derivatives are worth their evaluations. Of a long record each of these counts, and what moves the estimates by less than a third of a
+    /// standard error decides nothing between minima.
+    fn steps(self, rows: usize) -> [f64; 2] {
         match self {
+            Precision::Comparable if rows >= LONG => [1e-7, 0.3 / (rows as f64).sqrt()],
             Precision::Comparable => [1e-7, 1e-6],
             Precision::Full => [1e-11, 1e-9],
         }
@@ -198,7 +200,7 @@ pub(super) fn polish(
     mut evaluations: usize,
     precision: Precision,
 ) -> mdr_core::contact::Result<Minimum> {
-    let [smallest, slow] = precision.steps();
+    let [smallest, slow] = precision.steps(objective.rows.len());
     let mut fitted = start.to_vec();
     let mut jacobian = objective.jacobian(&fitted, &evaluation)?;
     let mut hessian: Option<DMatrix<f64>> = None;
@@ -240,7 +242,7 @@ pub(super) fn polish(
         }
     }
     let held = held(objective, &fitted, &jacobian, &evaluation);
-    let gradient = gradient(&jacobian, &evaluation.residuals, &held, objective.at_fold.len());
+    let gradient = gradient(&jacobian, &evaluation.residuals, &held, &objective.roundings_of_folds());
     let at_fold = objective.at_fold.clone();
     Ok(Minimum { fitted, evaluation, jacobian, gradient, evaluations, at_fold })
 }
@@ -344,12 +346,30 @@ fn step(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, held: &[bool]) -> DVe
     )
 }
 
-/// The largest cosine; the last rows, of held folds, do not count in the lengths of columns.
-fn gradient(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, held: &[bool], folds: usize) -> f64 {
+/// The largest cosine; the last rows, of held folds, do not count in the lengths of columns, nor does what is within their roundings.
+fn gradient(jacobian: &DMatrix<f64>, residuals: &DVector<f64>, held: &[bool], roundings: &[f64]) -> f64 {
     let norm = residuals.norm();
     let cosine = |(place, column): (usize, nalgebra::DVectorView<'_, f64>)| {
-        let length = column.rows(0, column.len() - folds).norm() * norm;
-        if held[place] || length == 0.0 { 0.0 } else { column.dot(residuals).abs() / length }
+        let rows = column.len() - roundings.len();
+        let length = column.rows(0, rows).norm() * norm;
+        let of_folds = column.rows(rows, roundings.len());
+        let rounding: f64 = of_folds.iter().zip(roundings).map(|(slope, rounding)| slope.abs() * rounding).sum();
+        if held[place] || length == 0.0 { 0.0 } else { (column.dot(residuals).abs() - rounding).max(0.0) / length }
     };
     jacobian.column_iter().enumerate().map(cosine).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rounding_of_a_held_fold_is_no_gradient() {
+        let jacobian = DMatrix::from_column_slice(3, 1, &[1.0, -1.0, 1e9]);
+        let at = |of_fold: f64| DVector::from_column_slice(&[1e3, 1e3, of_fold]);
+        let gradient = |residuals: &DVector<f64>, rounding: f64| gradient(&jacobian, residuals, &[false], &[rounding]);
+        assert!(gradient(&at(1e-7), 0.0) > 1e-2);
+        assert!(gradient(&at(1e-7), 1e-7) < 1e-12);
+        assert!(gradient(&at(1e-5), 1e-7) > 1.0);
+    }
 }

@@ -1,7 +1,6 @@
 //! The residuals of a problem and their derivatives, at given numbers.
 
-use std::cell::RefCell;
-use std::sync::Arc as Shared;
+use std::sync::{Arc as Shared, Mutex, PoisonError};
 
 use mdr_core::contact::Result;
 use nalgebra::DVector;
@@ -31,12 +30,12 @@ pub(super) struct Objective<'p> {
     /// The profile, where all its numbers are known.
     tip: Option<Shared<Tip<f64>>>,
     /// The folds that were searched for last with this profile, with E*, work of adhesion and stiffness.
-    searched: RefCell<Vec<([f64; 3], Vec<Turn>)>>,
+    searched: Mutex<Vec<([f64; 3], Vec<Turn>)>>,
 }
 
 /// The rows from which on a record is long, and the points of its arcs between two that are drawn: then the first guess for a row is as
 /// near as a step of Newton's method.
-const LONG: usize = 10_000;
+pub(super) const LONG: usize = 10_000;
 const FINER: usize = 16;
 
 /// How many searches for folds are kept: descents come back to where others began and ended.
@@ -163,7 +162,7 @@ impl<'p> Objective<'p> {
             rows: Shared::clone(&problem.rows),
             at_fold: Vec::new(),
             tip: None,
-            searched: RefCell::default(),
+            searched: Mutex::default(),
         };
         if objective.free_of_profile().is_empty() {
             let numbers: Vec<f64> = {
@@ -319,7 +318,7 @@ impl<'p> Objective<'p> {
         }
         let numbers = &contact.numbers;
         let key = [numbers.e_star, numbers.work, numbers.stiffness.unwrap_or(0.0)];
-        let mut searched = self.searched.borrow_mut();
+        let mut searched = self.searched.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, turns)) = searched.iter().find(|(other, _)| *other == key) {
             return Ok(turns.clone());
         }
@@ -327,6 +326,14 @@ impl<'p> Objective<'p> {
         searched.truncate(SEARCHES - 1);
         searched.insert(0, (key, turns.clone()));
         Ok(turns)
+    }
+
+    /// The rounding of the residual of each held fold, whose place is a difference of lengths as large as those of the row.
+    pub(super) fn roundings_of_folds(&self) -> Vec<f64> {
+        const ROUNDINGS: f64 = 8.0;
+        let rounding =
+            |held: &AtFold| ROUNDINGS * f64::EPSILON * self.rows[held.row].x.abs() / self.noise.beyond * HELD;
+        self.at_fold.iter().map(rounding).collect()
     }
 
     /// How many times as many points an arc has as it is drawn with: more where many rows look for their own with exact X.

@@ -19,6 +19,9 @@ const FALL: f64 = 13.0;
 /// The most rows of a record in which a slope or a drift is looked for, which takes as long as some further evaluations.
 const ROWS: usize = 100_000;
 
+/// The rows of which a sign is told: some of a longer record.
+const TELLING: usize = 10_000;
+
 /// How many times smaller the sum of squares is with a sign reversed before that is named.
 const REVERSED: f64 = 4.0;
 
@@ -81,7 +84,8 @@ pub(super) fn add_signs(fit: &mut Fit, problem: &Problem, misses: bool) {
     let names = [([true, false], "x"), ([false, true], "y"), ([true, true], "x and y")];
     let reversed = names.into_iter().filter_map(|(axes, name)| {
         let found = drive::fit_from(&reversed(problem, axes), &[Source::Formula, Source::Record]).ok()?.fit;
-        limits::fall(fit, &found).map(|_| (name, found.rss))
+        let share = problem.rows.len() as f64 / found.rows.len().max(1) as f64;
+        limits::fall(fit, &found).map(|_| (name, share * found.rss))
     });
     let least = reversed.min_by(|one, other| one.1.total_cmp(&other.1));
     if let Some((name, rss)) = least.filter(|(_, rss)| *rss * REVERSED < fit.rss) {
@@ -93,11 +97,14 @@ pub(super) fn add_signs(fit: &mut Fit, problem: &Problem, misses: bool) {
     }
 }
 
-/// The problem with axes reversed; each leg has the direction of its x.
+/// The problem with axes reversed, on some of its rows; each leg has the direction of its x.
 fn reversed(problem: &Problem, [x, y]: [bool; 2]) -> Problem {
     let mut other = problem.alone();
     let signs = [x, y].map(|is_reversed| if is_reversed { -1.0 } else { 1.0 });
     let rows = Shared::make_mut(&mut other.rows);
+    if rows.len() > TELLING {
+        *rows = rows.iter().copied().step_by(rows.len().div_ceil(TELLING)).collect();
+    }
     rows.iter_mut().for_each(|row| (row.x, row.y) = (signs[0] * row.x, signs[1] * row.y));
     other.turns.iter_mut().for_each(|turn| turn[0] *= signs[0]);
     for leg in rows.chunk_by_mut(|one, other| one.part == other.part) {

@@ -291,15 +291,19 @@ impl<R: Real> SearchedBranches<R> {
         Ok(at_rim.map(|upper| Change { lower: last, upper, below: from }))
     }
 
+    /// Whether a radius is in the range of radii and of the arithmetic, and among those searched for folds: the exponents of arbitrary
+    /// precision reach to 10^±3·10⁸.
+    fn is_within_reach(&self, a: &R) -> bool {
+        let normal = a.is_finite() && a.clone() * a.unit_roundoff() > a.lit(0);
+        let within = self.reach.as_ref().is_none_or(|[lower, upper]| a >= lower && a <= upper);
+        normal && within && (a.ln() - self.curve.material_length().ln()).abs().approx() <= survey::REACH
+    }
+
     /// The direction of change at a radius; `None` outside the range of radii or of the arithmetic, or where g cannot
     /// be computed: the search ends there. The search for folds met the same radii and reported
     /// [`SearchQuality::Doubtful`].
-    ///
-    /// `None` also beyond the radii searched for folds: the exponents of arbitrary precision reach to 10^±3·10⁸.
     fn turn(&self, a: R, value: &R) -> Result<Option<(R, Ordering)>> {
-        let normal = a.is_finite() && a.clone() * a.unit_roundoff() > a.lit(0);
-        let within = self.reach.as_ref().is_none_or(|[lower, upper]| a >= *lower && a <= *upper);
-        if !(normal && within) || (a.ln() - self.curve.material_length().ln()).abs().approx() > survey::REACH {
+        if !self.is_within_reach(&a) {
             return Ok(None);
         }
         match self.curve.direction_at(&a, value) {
@@ -375,7 +379,8 @@ impl<R: Real> EquilibriumBranches<R> for SearchedBranches<R> {
     }
 
     fn end(&self) -> Result<End<R>> {
-        end(&self.curve)
+        let end = end(&self.curve)?;
+        Ok(if end == End::Open && self.is_lost_outwards()? { End::Unknown } else { end })
     }
 
     fn compare(&self, value: &R, fold: &Fold<R>) -> Result<Ordering> {

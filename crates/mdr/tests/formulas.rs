@@ -435,3 +435,13 @@ fn the_first_folds_of_an_endless_wave_are_proved() {
     let complete = &answer["complete"]["folds"];
     assert!(complete["proved"] == true && complete["why"].as_str().unwrap().contains("sees more"), "{answer}");
 }
+
+/// Behind a singular kink g does not converge in f64: whether the contact comes to rest there is open, and no contact is complete.
+#[test]
+fn no_contact_is_complete_where_g_does_not_converge() {
+    let rest = "control = { kind = \"indentation\", path = [\"-0.01\", \"0.05\"], start = \"detached\" }
+        output = { want = [\"path\"], digits = 6 }";
+    let answer = solved(&formula("r^2/2 + sqrt(max(0, r - 0.05))", rest));
+    let events: Vec<_> = answer["path"].as_array().unwrap().iter().map(|event| event["event"].clone()).collect();
+    assert_eq!(events, ["start", "undecided"], "{answer}");
+}

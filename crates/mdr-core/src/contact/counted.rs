@@ -210,6 +210,14 @@ impl<R: Real> CountingTransform<R> {
     }
 
     fn count<T>(&self, part: usize, evaluate: impl FnOnce(&dyn Transform<R>) -> Result<T>) -> Result<T> {
+        self.paid(|inner| {
+            self.tally.counts[part].fetch_add(1, Ordering::Relaxed);
+            evaluate(inner)
+        })
+    }
+
+    /// Pays for an evaluation from what is left of the budget.
+    fn paid<T>(&self, evaluate: impl FnOnce(&dyn Transform<R>) -> Result<T>) -> Result<T> {
         let tally = &self.tally;
         if tally.stop.load(Ordering::Relaxed) {
             return Err(Error::Stopped);
@@ -217,7 +225,6 @@ impl<R: Real> CountingTransform<R> {
         if tally.is_spent() {
             return Err(Error::BudgetSpent { evaluations: tally.read().total() });
         }
-        tally.counts[part].fetch_add(1, Ordering::Relaxed);
         tally.working(self.weight, || self.inner.work(), || evaluate(&*self.inner))
     }
 }
@@ -272,7 +279,7 @@ impl<R: Real> Transform<R> for CountingTransform<R> {
     }
 
     fn kink(&self, index: usize, margin: &R) -> Result<Option<Kink<R>>> {
-        self.inner.kink(index, margin)
+        self.paid(|inner| inner.kink(index, margin))
     }
 
     fn rises(&self) -> bool {

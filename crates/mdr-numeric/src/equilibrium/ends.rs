@@ -43,6 +43,25 @@ impl<R: Real> SearchedBranches<R> {
         Ok(tends && at_outer.is_none_or(|direction| sign(&direction) != at_beginning))
     }
 
+    /// Whether g does not converge at a radius to which the search of the last branch steps: then it may have an equilibrium further out.
+    ///
+    /// # Errors
+    /// An interruption.
+    pub(super) fn is_lost_outwards(&self) -> Result<bool> {
+        let mut radius = self.folds.last().map_or_else(|| self.start(), |fold| fold.contact_radius.clone());
+        let mut octaves = 1;
+        while self.is_within_reach(&radius) {
+            match self.curve.transform().g(&radius) {
+                Err(Error::NoConvergence { .. }) => return Ok(true),
+                Err(error) if error.is_interruption() => return Err(error),
+                Err(_) => return Ok(false),
+                Ok(_) => radius = radius.lit(2).powi(octaves) * &radius,
+            }
+            octaves *= 2;
+        }
+        Ok(false)
+    }
+
     /// A radius between a pole and another radius, from which on the direction of change is that at the pole.
     pub(super) fn beside_pole(&self, pole: &Fold<R>, other: &R, direction: Ordering, value: &R) -> Result<R> {
         let edge = &pole.contact_radius;

@@ -149,7 +149,8 @@ fn open_reason<R: SceneReal>(event: &Event<R>) -> &'static str {
             "on the way on the surfaces come to touch outside of the contact; in which state is not decided"
         }
         ContactState::Detached => {
-            "where the surfaces first touch is not decided: the profile may be lower elsewhere than at the tip"
+            "where the surfaces first touch is not decided: the profile may be lower elsewhere than at the tip; or the contact comes to rest \
+             where g is not resolved"
         }
         _ => "no equilibrium was found up to here, and none is known at an end of the profile",
     }
