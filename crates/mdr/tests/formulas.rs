@@ -75,6 +75,31 @@ fn surfaces_first_touch_in_a_narrow_dip() {
     }
 }
 
+/// Where surfaces first touch is proved without a fold: a path of surfaces that stay apart comes to none.
+#[test]
+fn surfaces_that_stay_apart_need_no_folds() {
+    for (s, end) in [("1e-6", "0.01"), ("1e-9", "0.01"), ("1e-9", "-0.1")] {
+        let rest = format!(
+            "control = {{ kind = \"indentation\", path = [-1, \"{end}\"], start = \"detached\" }}
+            output = {{ want = [\"path\"], digits = 15 }}"
+        );
+        let answer = solved(&formula(&dip(s), &rest));
+        assert_eq!(answer["promise"]["path"], "certified", "{answer}");
+        assert_eq!(answer["complete"]["path"]["proved"], true, "{answer}");
+        let event = &answer["path"][1];
+        if end == "-0.1" {
+            assert_eq!(event["event"], "end", "{answer}");
+            continue;
+        }
+        assert_eq!(event["event"], "not-admissible", "{answer}");
+        // f(c + ε) = c²/2 − 0.2 + cε + ε²/2 + 0.2ε²/s² − …, least at ε = −cs²/0.4.
+        let [c, s]: [f64; 2] = [0.5037, s.parse().unwrap()];
+        let lowest = c * c / 2.0 - 0.2 - (c * s).powi(2) / 0.8;
+        let depth: f64 = event["indentation"].as_str().unwrap().parse().unwrap();
+        assert!((depth - lowest).abs() < 1e-15, "{depth} {lowest}");
+    }
+}
+
 /// Rings of one height without end: where the surfaces touch is not decided, and the path has that status.
 #[test]
 fn an_unknown_first_touch_is_undecided() {

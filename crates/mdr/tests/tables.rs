@@ -5,6 +5,10 @@ use mdr::prelude::*;
 
 /// A wavy paraboloid of radius 1, in so many rows up to r = 0.5, pulled from an indentation.
 fn scene(rows: usize, from: &str, energies: Option<bool>) -> Scene {
+    wanting("\"path\"", rows, from, energies)
+}
+
+fn wanting(wants: &str, rows: usize, from: &str, energies: Option<bool>) -> Scene {
     let row = |i: usize| {
         let r = 0.5 * i as f64 / (rows - 1) as f64;
         format!("{r:.6e},{:.6e}\n", r * r / 2.0 + 3e-4 * (1.0 - (r / 0.05).cos()))
@@ -14,7 +18,7 @@ fn scene(rows: usize, from: &str, energies: Option<bool>) -> Scene {
     let text = format!(
         r#"{{"profile": {{"kind": "table", "file": "tip.csv", "columns": "r,f"}},
             "material": {{"e_star": 1, "work_of_adhesion": "1e-3"}},
-            "control": {{"kind": "indentation", "path": ["{from}", "-0.1"]}}, "output": {{"want": ["path"], "digits": 20}}}}"#
+            "control": {{"kind": "indentation", "path": ["{from}", "-0.1"]}}, "output": {{"want": [{wants}], "digits": 20}}}}"#
     );
     let scene = Scene::from_json(&text, "scene.json", &file).expect("a scene");
     match energies {
@@ -38,8 +42,10 @@ fn path(answer: Answer) -> mdr::answer::LoadingPath {
 fn a_path_over_a_table_that_cannot_start_is_refused_for_next_to_no_work() {
     // A proof of the folds of these rows takes a hundred times as much work.
     for from in ["-0.5", "-0.05"] {
-        let refused = solve(&scene(100, from, None), 0.02).expect_err("a refusal").to_string();
-        assert!(refused.contains("the path cannot start there: no stable equilibrium"), "{refused}");
+        for wants in ["\"path\"", "\"folds\", \"path\""] {
+            let refused = solve(&wanting(wants, 100, from, None), 0.02).expect_err("a refusal").to_string();
+            assert!(refused.contains("the path cannot start there: no stable equilibrium"), "{refused}");
+        }
     }
     assert!(solve(&scene(100, "0.01", None), 0.02).is_ok(), "it can start");
 }

@@ -322,6 +322,12 @@ impl Admissibility {
         first_touch_roughly(self).unwrap_or_default()
     }
 
+    /// Whether separated surfaces are proved to touch first on a ring.
+    #[cfg(feature = "mp")]
+    pub fn has_proved_ring(&self) -> bool {
+        matches!(self.touch, Some(FirstTouch::Ring(_)))
+    }
+
     /// The minima of g below `d` between two radii, where growth of the contact may require energy.
     pub(crate) fn dips(&self, from: f64, to: f64, d: f64) -> Vec<f64> {
         let edges = self.terrain.iter().flat_map(|terrain| &terrain.edges);

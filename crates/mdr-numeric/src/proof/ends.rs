@@ -22,6 +22,10 @@ impl ProvedBranches {
     /// [`Error::Undecided`](mdr_core::contact::Error::Undecided) otherwise.
     pub fn check(&self, path: &Path<Interval>) -> Result<()> {
         let states = || path.events.iter().flat_map(|event| [&event.before, &event.after]);
+        // Surfaces that stay apart have no states that a fold could end.
+        if states().all(|state| matches!(state, ContactState::Detached)) {
+            return Ok(());
+        }
         let (lower, upper) = self.range();
         let inwards = states().any(|state| match state {
             ContactState::Contact(rest) => rest.contact_radius.lower() < lower,

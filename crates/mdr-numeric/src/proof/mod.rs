@@ -106,7 +106,7 @@ pub struct ProvedFolds {
 
 impl ProvedFolds {
     /// Nothing found yet on a range.
-    fn on(range: (Float, Float)) -> Self {
+    pub fn on(range: (Float, Float)) -> Self {
         let (folds, poles, undecided, cells) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         ProvedFolds { range, folds, poles, undecided, cells, evaluations: 0, is_spent: false }
     }

@@ -79,6 +79,8 @@ pub(crate) fn solve(scene: &Scene, run: &mut Run<'_>) -> Result<Answer> {
     let counts = run.stop.counts();
     let solver = Solver::new(scene, &counts).map_err(|error| scene.places.complaint_about_profile(error))?;
     solver.check_range()?;
+    #[cfg(feature = "mp")]
+    solver.check_start()?;
     let mut outputs = Vec::new();
     let mut costs = Vec::new();
     let parts = scene.wants.len() + usize::from(scene.range_of_adhesion.is_some());
@@ -343,6 +345,20 @@ impl<'s> Solver<'s> {
             Some(outer) if is_beyond(lower, outer) => Err(self.scene.places.of("output.folds.range").refuse(format!(
                 "the range must begin within the profile, whose outer radius is {outer}, got {lower}"
             ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses what f64 knows to have no start before anything is proved, which would take many times as long.
+    #[cfg(feature = "mp")]
+    fn check_start(&self) -> Result<()> {
+        let needs_start = |want: &&Want| want.request().needs_start();
+        let (Route::Certified(certified), Some(want)) = (&self.route, self.scene.wants.iter().find(needs_start)) else {
+            return Ok(());
+        };
+        match path::refuse_at_once(certified) {
+            Err(error @ contact::Error::NoEquilibrium { .. }) => Err(self.complaint(want, error)),
+            // Other errors are those of an output.
             _ => Ok(()),
         }
     }

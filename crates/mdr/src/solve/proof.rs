@@ -61,9 +61,19 @@ pub(crate) struct FoldProof {
     pub(crate) complete: Completeness,
     /// The range, if states beyond it are not looked for.
     pub(crate) limits: Option<[Literal; 2]>,
+    /// Whether none is looked for, since the surfaces stay apart.
+    pub(crate) is_apart: bool,
 }
 
 impl FoldProof {
+    /// Without any, for a path of surfaces that stay apart.
+    pub(crate) fn of_none() -> Self {
+        let one = || Float::with_val(ISOLATION, 1);
+        let proved = ProvedFolds::on((one(), one()));
+        let complete = Completeness { proved: true, from: None, to: None, why: String::new(), undecided: false };
+        FoldProof { proved, complete, limits: None, is_apart: true }
+    }
+
     /// On the range that the scene names, else on a range with all folds that were found in f64.
     ///
     /// # Errors
@@ -106,7 +116,7 @@ impl FoldProof {
         let why = reason(&proved) + if is_limit && !is_given { BEYOND } else { "" };
         let complete =
             Completeness { proved: proved.is_complete(), from, to, why, undecided: !proved.undecided.is_empty() };
-        Ok(FoldProof { proved, complete, limits })
+        Ok(FoldProof { proved, complete, limits, is_apart: false })
     }
 }
 

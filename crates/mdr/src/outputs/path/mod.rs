@@ -315,8 +315,8 @@ impl<'w> IsRoom<'w> for Room {
         let path = if certified.scene.has_two_works() {
             with_pair(certified, |pair| proved_between_edges(certified, pair, energies))?
         } else {
-            start::refuse_at_once(certified)?;
-            let folds = certified.fold_proof()?;
+            let none = start::without_folds(certified)?;
+            let folds = none.as_ref().map_or_else(|| certified.fold_proof(), |none| Ok(Some(none)))?;
             folds.map_or(Ok(None), |folds| proved(certified, folds, energies))?
         };
         Ok(path.map(Output::from))

@@ -162,7 +162,11 @@ pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Optio
         }
         Ok(events)
     });
-    let why = "every decision on the path is certain, and its folds are proved to be all";
+    let why = if folds.is_apart {
+        "every decision on the path is certain: the surfaces stay apart until they first touch, on a ring"
+    } else {
+        "every decision on the path is certain, and its folds are proved to be all"
+    };
     let complete = Completeness { why: why.to_owned(), ..folds.complete.clone() };
     let path = |events| LoadingPath::new(Promise::Certified, PathNumbers { events, balance: None }, complete);
     Ok(decided(items)?.map(path).zip(last))

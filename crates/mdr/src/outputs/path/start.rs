@@ -1,4 +1,5 @@
-//! What f64 knows of a path over a table before anything is proved: that it cannot start.
+//! What is known of the start of a path before any fold is proved: that a path over a table cannot start, by f64; and that one of surfaces that
+//! are apart has no state with a fold.
 
 use mdr_core::contact::{Error, Result};
 use mdr_numeric::branch::EquilibriumBranches;
@@ -7,12 +8,14 @@ use mdr_numeric::path::Path;
 
 use crate::scene::Start;
 use crate::solve::certified::Certified;
+use crate::solve::proof::FoldProof;
 use crate::solve::states::branches;
 
 /// How close to the value of a fold, relative to the largest one, the question of the start is left to more digits.
 const BESIDE: f64 = 1e-9;
 /// Octaves around the folds in which a start is looked for.
 const REACH: i64 = 1000;
+
 /// Refuses a path over a table that cannot start: the search in f64 has resolved g everywhere, and the first value is not that of
 /// a fold. A proof of its folds would take many times as long.
 ///
@@ -22,7 +25,7 @@ pub(crate) fn refuse_at_once(certified: &Certified<'_>) -> Result<()> {
     let scene = certified.scene;
     let (Some(_), Some(first)) = (scene.profile.rows(), scene.path.first()) else { return Ok(()) };
     // Where separated surfaces touch is another question.
-    if scene.start == Start::Detached || !scene.pressed_into().is_half_space() {
+    if scene.start == Start::Detached || scene.has_two_works() || !scene.pressed_into().is_half_space() {
         return Ok(());
     }
     let (model, folds) = certified.in_doubles()?;
@@ -41,4 +44,16 @@ pub(crate) fn refuse_at_once(certified: &Certified<'_>) -> Result<()> {
         Err(error @ Error::NoEquilibrium { .. }) => Err(error),
         _ => Ok(()),
     }
+}
+
+/// The proof of no folds, for a path that begins apart where the surfaces are proved to touch first on a ring: it ends there at the latest.
+///
+/// # Errors
+/// Errors of the transform.
+pub(super) fn without_folds(certified: &Certified<'_>) -> Result<Option<FoldProof>> {
+    if certified.scene.start != Start::Detached {
+        return Ok(None);
+    }
+    let admissibility = certified.admissibility()?;
+    Ok(admissibility.has_proved_ring().then(FoldProof::of_none))
 }
