@@ -99,7 +99,7 @@ impl Budget {
     }
 
     /// The work that is left, if there is a limit.
-    fn left(&self) -> Option<u64> {
+    pub fn left(&self) -> Option<u64> {
         let limit = self.limit.load(Ordering::Relaxed);
         (limit > 0).then(|| limit.saturating_sub(self.spent()))
     }

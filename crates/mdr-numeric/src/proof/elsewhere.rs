@@ -16,8 +16,8 @@ const WIDEST: f64 = 1.03;
 const FINEST: f64 = 1.0 + 1e-9;
 /// The octaves beyond a contact in which an overlap is looked for where the gap is not known to be open far away.
 const NEAR: u32 = 4;
-/// The most heights of f, counted over intervals, that are spent on a contact: about a second.
-const HEIGHTS: u64 = 200_000;
+/// The most heights of f, counted over intervals, that are spent on a contact, with those of g: about a second.
+pub(super) const HEIGHTS: u64 = 200_000;
 
 /// What is certain of the gap on some radii.
 pub(super) enum Seen {
@@ -59,10 +59,11 @@ impl Outside<'_> {
 
     /// What is certain of the gap on some cells, wherever g is below the indentation; the first that is not open ends it.
     fn look(&self, place: &Place, mut cells: Vec<(Float, Float)>) -> Seen {
-        let last = self.profile.work() + HEIGHTS;
+        let work = || self.profile.work() + self.contact.transform().work();
+        let last = work() + self.heights;
         for _ in 0..CELLS {
             let Some((from, to)) = cells.pop() else { return Seen::Open };
-            if self.profile.work() > last {
+            if work() > last {
                 break;
             }
             let cell = Interval::new(from.clone(), to.clone());

@@ -1,12 +1,12 @@
 //! Gaps outside contacts on a half-space, open or closed, over enclosures: a proof for each state that is asked for.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use mdr_core::contact::{Budget, Result};
 use mdr_core::number::Interval;
 
 use super::continuation::Continuation;
-use super::elsewhere::Seen;
+use super::elsewhere::{HEIGHTS, Seen};
 use super::overlap::{Outside, Place};
 use crate::admissible::GapVerdict;
 use crate::contact::Contact;
@@ -14,11 +14,14 @@ use crate::contact::Contact;
 /// Why nothing is said of a state whose gap is not enclosed closely enough.
 const NOT_DECIDED: &str = "enclosures of the gap outside the contact do not decide it";
 
+/// Recent verdicts that are kept: outputs ask of the same states, and of one in several precisions.
+const KEPT: usize = 64;
+
 /// A contact on a half-space, with its profile as formulas, from which the gap outside any state is enclosed. Without them it is
 /// known where g rises.
 ///
 /// ```
-/// use std::sync::Arc;
+/// use std::sync::{Arc, Mutex, PoisonError};
 /// use mdr_core::contact::{Control, Expression, Material};
 /// use mdr_core::number::{Interval, Precision, Real};
 /// use mdr_numeric::{contact::Contact, proof::{Continuation, EnclosedGaps}, transform::Enclosed};
@@ -40,6 +43,7 @@ pub struct EnclosedGaps {
     profile: Option<Continuation>,
     /// The budget from which heights are paid, and what each costs.
     budget: Option<(Arc<Budget>, u64)>,
+    kept: Mutex<Vec<(Place, GapVerdict)>>,
 }
 
 impl EnclosedGaps {
@@ -47,7 +51,7 @@ impl EnclosedGaps {
     /// [`Error::Domain`](mdr_core::contact::Error::Domain) on another medium than a half-space.
     pub fn new(contact: Contact<Interval>, profile: Option<Continuation>) -> Result<Self> {
         super::check_half_space(&contact)?;
-        Ok(EnclosedGaps { contact, profile, budget: None })
+        Ok(EnclosedGaps { contact, profile, budget: None, kept: Mutex::default() })
     }
 
     /// The gaps, with a budget from which each height of the profile is paid by its `weight`; once it is spent nothing is decided.
@@ -63,11 +67,42 @@ impl EnclosedGaps {
         if transform.rises_beyond(a) && transform.g(a).is_ok_and(|g| g.lower() >= d.upper()) {
             return GapVerdict::Admissible;
         }
-        match self.spending(a, d, |outside, place| outside.look_everywhere(place)) {
+        let place = Place { a: a.clone(), d: d.clone() }.rough();
+        if let Some(known) = self.known(&place) {
+            return known;
+        }
+        if self.is_spent() {
+            return GapVerdict::Undecided(NOT_DECIDED);
+        }
+        let verdict = match self.spending(&place, |outside, place| outside.look_everywhere(place)) {
             Some(Seen::Open) => GapVerdict::Admissible,
             Some(Seen::Closed { radius, gap }) => GapVerdict::Interpenetrating { radius, gap },
             _ => GapVerdict::Undecided(NOT_DECIDED),
+        };
+        // A larger budget may decide more.
+        if self.is_spent() {
+            return verdict;
         }
+        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        if kept.len() == KEPT {
+            kept.remove(0);
+        }
+        kept.push((place, verdict));
+        verdict
+    }
+
+    /// The verdict on a place that holds this one, or that no verdict was found for one that is nearly this.
+    fn known(&self, place: &Place) -> Option<GapVerdict> {
+        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        let holds = |(other, verdict): &&(Place, GapVerdict)| match verdict {
+            GapVerdict::Undecided(_) => place.overlaps(other),
+            GapVerdict::Admissible | GapVerdict::Interpenetrating { .. } => place.is_within(other),
+        };
+        kept.iter().rev().find(holds).map(|(_, verdict)| *verdict)
+    }
+
+    fn is_spent(&self) -> bool {
+        self.budget.as_ref().is_some_and(|(budget, _)| budget.is_spent())
     }
 
     /// Whether it is proved that no gap outside a contact of radius a at the indentation d is negative, up to the end of the
@@ -83,22 +118,20 @@ impl EnclosedGaps {
 
     /// The gap at a radius, if it is proved that it is negative.
     pub fn overlap(&self, a: &Interval, d: &Interval, r: f64) -> Option<f64> {
-        self.spending(a, d, |outside, place| outside.overlap(place, r))?
+        let place = Place { a: a.clone(), d: d.clone() }.rough();
+        self.spending(&place, |outside, place| outside.overlap(place, r))?
     }
 
     /// What `look` sees outside a contact, with its heights paid from the budget; `None` if it sees nothing, or the budget is spent.
-    fn spending<T>(
-        &self,
-        a: &Interval,
-        d: &Interval,
-        look: impl FnOnce(&Outside<'_>, &Place) -> Result<T>,
-    ) -> Option<T> {
+    fn spending<T>(&self, place: &Place, look: impl FnOnce(&Outside<'_>, &Place) -> Result<T>) -> Option<T> {
         let profile = self.profile.as_ref()?;
-        if self.budget.as_ref().is_some_and(|(budget, _)| budget.is_spent()) {
+        if self.is_spent() {
             return None;
         }
-        let (place, before) = (Place { a: a.clone(), d: d.clone() }.rough(), profile.work());
-        let seen = look(&Outside { contact: &self.contact, profile }, &place);
+        let before = profile.work();
+        let left = self.budget.as_ref().and_then(|(budget, weight)| Some(budget.left()? / (*weight).max(1)));
+        let heights = left.map_or(HEIGHTS, |left| left.min(HEIGHTS));
+        let seen = look(&Outside { contact: &self.contact, profile, heights }, place);
         if let Some((budget, weight)) = &self.budget {
             budget.spend(weight.saturating_mul(profile.work().saturating_sub(before)));
         }

@@ -35,6 +35,8 @@ const BRACKETS: [u32; 5] = [28, 40, 52, 64, 80];
 pub(super) struct Outside<'a> {
     pub(super) contact: &'a Contact<Interval>,
     pub(super) profile: &'a Continuation,
+    /// The most heights of f that are spent on one place.
+    pub(super) heights: u64,
 }
 
 /// A contact radius and the indentation.
@@ -49,6 +51,16 @@ impl Place {
     pub(super) fn rough(&self) -> Place {
         let rough = |number: &Interval| number.rounded(Precision::new(BOUND_BITS));
         Place { a: rough(&self.a), d: rough(&self.d) }
+    }
+
+    /// Whether what is certain of another place is certain here.
+    pub(super) fn is_within(&self, other: &Place) -> bool {
+        let within = |one: &Interval, other: &Interval| other.contains(one.lower()) && other.contains(one.upper());
+        within(&self.a, &other.a) && within(&self.d, &other.d)
+    }
+
+    pub(super) fn overlaps(&self, other: &Place) -> bool {
+        self.a.overlaps(&other.a) && self.d.overlaps(&other.d)
     }
 
     fn hull(&self, other: &Place) -> Place {

@@ -6,7 +6,7 @@ use mdr_core::contact::{self, Edge, FoldKind, Regime, Result, Status};
 use mdr_core::number::Literal;
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, Precision, certify::Enclosure};
-use mdr_numeric::admissible::{Admissibility, GapVerdict};
+use mdr_numeric::admissible::GapVerdict;
 #[cfg(feature = "mp")]
 use mdr_numeric::proof::EnclosedCurve;
 
@@ -123,8 +123,11 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
         let admissibility = search.admissibility();
-        let folds: Vec<_> =
-            search.folds()?.folds.iter().map(|fold| judged(&search.model, fold.clone(), &admissibility)).collect();
+        let judged = |fold: &contact::Fold<f64>| {
+            let verdict = verdict(&admissibility, &fold.contact_radius, &fold.indentation);
+            Fold { admissible: Admission::of(verdict), ..shown(&search.model, fold.clone()) }
+        };
+        let folds: Vec<_> = search.folds()?.folds.iter().map(judged).collect();
         Ok(Output::Folds(search::list(folds).complete(search.completeness()?)))
     }
 
@@ -140,11 +143,10 @@ impl<'w> IsRoom<'w> for Room<'w> {
     }
 }
 
-/// A fold, and whether it is admissible.
-fn judged<R: SceneReal>(model: &Model<R>, fold: contact::Fold<R>, admissibility: &Admissibility) -> Fold<R> {
-    let verdict = verdict(admissibility, &fold.contact_radius, &fold.indentation);
+/// A fold as an answer shows it; whether it is admissible is not asked yet.
+fn shown<R: SceneReal>(model: &Model<R>, fold: contact::Fold<R>) -> Fold<R> {
     let contact_radius = model.contact_radius(&fold.contact_radius);
-    let fold = Fold::new(contact::Fold { contact_radius, ..fold }, verdict);
+    let fold = Fold::new(contact::Fold { contact_radius, ..fold }, GapVerdict::Undecided("it was not asked"));
     Fold { indentation: model.depth(fold.indentation), ..fold }
 }
 
@@ -156,9 +158,8 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
     let mut curves = Curves { certified, known: Vec::new() };
     // One fold after the other: of thousands a few need more bits than the others.
     let decided = folds.proved.folds.iter().map(|fold| {
-        let admissibility = certified.admissibility()?;
         let record = |model: &Model<_>, refined| {
-            let mut record = judged(model, refined, &admissibility).convert(Enclosure::from);
+            let mut record = shown(model, refined).convert(Enclosure::from);
             if certified.scene.breaks_at_zero_depth(&fold.contact_radius) {
                 record.indentation = proof::exactly(&0.into());
             }
@@ -178,7 +179,14 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
             refined => refined,
         }
     });
-    let items = decided.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect();
+    let refined = decided.collect::<Result<Vec<_>>>()?.into_iter().flatten();
+    // Whether they are admissible is asked once all have their digits, for it may take all that is left of the budget.
+    let admissibility = certified.admissibility()?;
+    let judged = |(refined, fold): (Fold, &contact::Fold<_>)| {
+        let verdict = verdict(&admissibility, &fold.contact_radius, &fold.indentation);
+        Fold { admissible: Admission::of(verdict), ..refined }
+    };
+    let items = refined.zip(&folds.proved.folds).map(judged).collect();
     Ok(List::new(Promise::Certified, items).complete(folds.complete.clone()))
 }
 
