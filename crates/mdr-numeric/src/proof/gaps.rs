@@ -21,7 +21,7 @@ const KEPT: usize = 64;
 /// known where g rises.
 ///
 /// ```
-/// use std::sync::{Arc, Mutex, PoisonError};
+/// use std::sync::Arc;
 /// use mdr_core::contact::{Control, Expression, Material};
 /// use mdr_core::number::{Interval, Precision, Real};
 /// use mdr_numeric::{contact::Contact, proof::{Continuation, EnclosedGaps}, transform::Enclosed};
