@@ -9,7 +9,6 @@ use mdr_core::number::{Dual, Interval, Real};
 use rug::Float;
 use rug::float::Round;
 
-use super::elsewhere::HEIGHTS;
 use super::overlap::Outside;
 use super::{Continuation, EnclosedCurve, ProvedFolds, kinks};
 use crate::admissible::{self, Admissibility, Basis, GapVerdict, Ring, Touch};
@@ -91,7 +90,7 @@ impl ProvedBranches {
     fn outside(&self, radius: f64) -> Result<Outside<'_>> {
         let contact = &self.curve.plain;
         let profile = self.profile.as_ref().filter(|_| contact.medium().is_half_space());
-        profile.map(|profile| Outside { contact, profile, heights: HEIGHTS }).ok_or_else(|| not_enclosed(radius))
+        profile.map(|profile| Outside::new(contact, profile)).ok_or_else(|| not_enclosed(radius))
     }
 
     /// The range of radii on which [all equilibria](EquilibriumBranches::equilibria) are found; some beyond it are also reported.

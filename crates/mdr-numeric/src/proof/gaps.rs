@@ -71,16 +71,14 @@ impl EnclosedGaps {
         if let Some(known) = self.known(&place) {
             return known;
         }
-        if self.is_spent() {
-            return GapVerdict::Undecided(NOT_DECIDED);
-        }
+        let is_limited = self.heights() < HEIGHTS;
         let verdict = match self.spending(&place, |outside, place| outside.look_everywhere(place)) {
             Some(Seen::Open) => GapVerdict::Admissible,
             Some(Seen::Closed { radius, gap }) => GapVerdict::Interpenetrating { radius, gap },
             _ => GapVerdict::Undecided(NOT_DECIDED),
         };
-        // A larger budget may decide more.
-        if self.is_spent() {
+        if is_limited && matches!(verdict, GapVerdict::Undecided(_)) {
+            // A larger budget may decide more.
             return verdict;
         }
         let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
@@ -101,8 +99,10 @@ impl EnclosedGaps {
         kept.iter().rev().find(holds).map(|(_, verdict)| *verdict)
     }
 
-    fn is_spent(&self) -> bool {
-        self.budget.as_ref().is_some_and(|(budget, _)| budget.is_spent())
+    /// The heights of f that a state may take.
+    fn heights(&self) -> u64 {
+        let left = self.budget.as_ref().and_then(|(budget, weight)| Some(budget.left()? / (*weight).max(1)));
+        left.map_or(HEIGHTS, |left| left.min(HEIGHTS))
     }
 
     /// Whether it is proved that no gap outside a contact of radius a at the indentation d is negative, up to the end of the
@@ -125,13 +125,12 @@ impl EnclosedGaps {
     /// What `look` sees outside a contact, with its heights paid from the budget; `None` if it sees nothing, or the budget is spent.
     fn spending<T>(&self, place: &Place, look: impl FnOnce(&Outside<'_>, &Place) -> Result<T>) -> Option<T> {
         let profile = self.profile.as_ref()?;
-        if self.is_spent() {
+        let heights = self.heights();
+        if heights == 0 {
             return None;
         }
         let before = profile.work();
-        let left = self.budget.as_ref().and_then(|(budget, weight)| Some(budget.left()? / (*weight).max(1)));
-        let heights = left.map_or(HEIGHTS, |left| left.min(HEIGHTS));
-        let seen = look(&Outside { contact: &self.contact, profile, heights }, place);
+        let seen = look(&Outside { heights, ..Outside::new(&self.contact, profile) }, place);
         if let Some((budget, weight)) = &self.budget {
             budget.spend(weight.saturating_mul(profile.work().saturating_sub(before)));
         }

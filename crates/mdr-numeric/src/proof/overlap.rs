@@ -19,6 +19,7 @@ use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
 use mdr_core::number::{Interval, Precision, Real, Special};
 
 use super::continuation::Continuation;
+use super::elsewhere::HEIGHTS;
 use super::fields::moments;
 use super::stretch::leg;
 use crate::admissible::Ring;
@@ -74,6 +75,12 @@ struct Valley {
     around: Interval,
     /// A bound of h'' there; `None` if the ring is a kink.
     bend: Option<Interval>,
+}
+
+impl<'a> Outside<'a> {
+    pub(super) fn new(contact: &'a Contact<Interval>, profile: &'a Continuation) -> Self {
+        Outside { contact, profile, heights: HEIGHTS }
+    }
 }
 
 impl Outside<'_> {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use mdr_core::contact::{Control, Expression, Material};
+use mdr_core::contact::{Budget, Control, Expression, Material};
 use rug::Float;
 
 use super::super::energy::all_over_unit_interval;
@@ -41,7 +41,7 @@ fn the_gap_and_its_slopes_are_those_of_fields() {
     for (formula, work, [a, r]) in CASES {
         let (coarse, fine) = (case(formula, work, 64), case(formula, work, 160));
         let of = |case: &Case, r: &Interval| {
-            let outside = Outside { contact: &case.contact, profile: &case.profile };
+            let outside = Outside::new(&case.contact, &case.profile);
             let place = outside.equilibrium(Interval::from_f64(r.ctx(), a)).expect("a state");
             outside.gap(&place, r).expect("a gap")
         };
@@ -91,7 +91,7 @@ fn a_dropped_remainder_of_a_moment_is_caught_at_few_bits() {
 #[test]
 fn admissibility_is_lost_where_the_gap_closes() {
     let kinked = case(CASES[0].0, CASES[0].1, 100);
-    let outside = Outside { contact: &kinked.contact, profile: &kinked.profile };
+    let outside = Outside::new(&kinked.contact, &kinked.profile);
     let (state, ring) = outside.last_admissible([0.0923, 0.123]).expect("a proof");
     // The gap and its slope are nothing there, by the fields of a contact a little smaller and a little larger.
     let fine = case(CASES[0].0, CASES[0].1, 200);
@@ -112,7 +112,7 @@ fn admissibility_is_lost_where_the_gap_closes() {
     }
     // The same state at few bits holds the truth.
     let coarse = case(CASES[0].0, CASES[0].1, 64);
-    let outside = Outside { contact: &coarse.contact, profile: &coarse.profile };
+    let outside = Outside::new(&coarse.contact, &coarse.profile);
     let (few, _) = outside.last_admissible([0.0923, 0.123]).expect("a proof");
     assert!(few.contact_radius.overlaps(&state.contact_radius));
     assert!(few.contact_radius.accuracy_bits() < state.contact_radius.accuracy_bits());
@@ -124,17 +124,17 @@ fn a_narrow_dip_elsewhere_is_not_passed_over() {
     let formula = "r^2/2 - 0.05*exp(-((r - 0.5)/0.05)^2) - 0.4*exp(-((r - 0.8)/0.001)^2) \
                    + 0.05*exp(-(0.5/0.05)^2) + 0.4*exp(-(0.8/0.001)^2)";
     let dips = case(formula, "1e-6", 80);
-    let outside = Outside { contact: &dips.contact, profile: &dips.profile };
+    let outside = Outside::new(&dips.contact, &dips.profile);
     assert!(outside.last_admissible([0.29, 0.5]).is_err());
     let one = case("r^2/2 - 0.05*exp(-((r - 0.5)/0.05)^2) + 0.05*exp(-(0.5/0.05)^2)", "1e-6", 80);
-    let outside = Outside { contact: &one.contact, profile: &one.profile };
+    let outside = Outside::new(&one.contact, &one.profile);
     assert!(outside.last_admissible([0.29, 0.5]).is_ok());
 }
 
 #[test]
 fn the_last_admissible_state_beside_a_dip_is_proved() {
     let dip = case("r^2/2 - 0.3*r^2*exp(-((r - 0.5)/0.1)^2)", "1e-6", 100);
-    let outside = Outside { contact: &dip.contact, profile: &dip.profile };
+    let outside = Outside::new(&dip.contact, &dip.profile);
     // From approximations of a thousandth.
     let (state, ring) = outside.last_admissible([0.2531, 0.4885]).expect("a proof");
     assert!(state.contact_radius.accuracy_bits() > 60 && ring.radius.accuracy_bits() > 40);
@@ -147,7 +147,7 @@ fn verdicts_hold_up_to_the_state_in_which_the_gap_closes() {
     let dip = "r^2/2 - 0.3*r^2*exp(-((r - 0.5)/0.1)^2)";
     for (formula, work, rough) in [(CASES[0].0, CASES[0].1, [0.0923, 0.123]), (dip, "1e-6", [0.2531, 0.4885])] {
         let Case { contact, profile } = case(formula, work, 100);
-        let (state, ring) = Outside { contact: &contact, profile: &profile }.last_admissible(rough).expect("a proof");
+        let (state, ring) = Outside::new(&contact, &profile).last_admissible(rough).expect("a proof");
         let gaps = EnclosedGaps::new(contact.clone(), Some(profile)).expect("a half-space");
         let beside = |shift: f64| {
             let a = Interval::point(Float::with_val(100, state.contact_radius.mid() * (1.0 + shift)));
@@ -171,7 +171,7 @@ fn gaps_of_a_contact_that_ends_at_a_kink_are_enclosed() {
         let Case { contact, profile } = case(CASES[0].0, CASES[0].1, bits);
         let number = |text: &str| Interval::from_literal(Precision::new(bits), &text.parse().expect("a number"));
         let place = Place { a: number(a), d: number("0.0092") };
-        let outside = Outside { contact: &contact, profile: &profile };
+        let outside = Outside::new(&contact, &profile);
         let [gap, slope, bend] = outside.gap(&place, &number("0.128")).expect("a gap");
         let gaps = EnclosedGaps::new(contact.clone(), Some(case(CASES[0].0, CASES[0].1, bits).profile));
         let is_closed = gaps.expect("a half-space").is_closed(&place.a, &place.d, 0.128);
@@ -183,4 +183,28 @@ fn gaps_of_a_contact_that_ends_at_a_kink_are_enclosed() {
     for (found, (inside, outside)) in at_kink.iter().zip(inside.iter().zip(&outside)) {
         assert!(found.overlaps(inside) && found.overlaps(outside), "{found}, {inside}, {outside}");
     }
+}
+
+/// Outputs ask of one state again, and of it in more bits: what was decided is known, and what the budget left open is asked again.
+#[test]
+fn a_state_is_looked_at_once() {
+    let Case { contact, profile } = case("r^2/2 + 0.01*(1 - cos(20*pi*r))", "1e-6", 64);
+    let number = |x: f64| Interval::from_f64(Precision::new(64), x);
+    let budget = Arc::new(Budget::default());
+    let gaps = EnclosedGaps::new(contact.clone(), Some(profile)).expect("a half-space").within(&budget, 1);
+    let state = |a: Interval| (contact.indentation(&a).expect("a state"), a);
+    let wide = number(0.01).inflate(&number(1e-15));
+    budget.allow(1);
+    let (d, a) = state(wide);
+    assert!(!gaps.are_open(&a, &d), "one height is no proof");
+    budget.allow(u64::MAX);
+    assert!(gaps.are_open(&a, &d));
+    let spent = budget.spent();
+    assert!(spent > 1);
+    let (d, a) = state(number(0.01));
+    assert!(gaps.are_open(&a, &d));
+    assert_eq!(budget.spent(), spent);
+    let (d, a) = state(number(0.009));
+    assert!(gaps.are_open(&a, &d));
+    assert!(budget.spent() > spent, "another state");
 }
