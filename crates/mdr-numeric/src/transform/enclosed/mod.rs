@@ -41,8 +41,8 @@ const FEW: i64 = 2;
 const HELP: u32 = 4;
 /// Recent integrals that are kept.
 const KEPT: usize = 8;
-/// Heights, counted over intervals, after which no further integral is begun: half a minute, where no budget ends it before.
-const MOST: u64 = 2_000_000;
+/// Heights, counted over intervals, after which no further integral is begun: some seconds.
+const MOST: u64 = 500_000;
 
 /// The MDR-transformed profile of a formula over enclosures. Its values are proved; where an integral takes too many pieces it
 /// is an [`Error::Unproved`] at a radius, and over an interval of radii the entire line. So is every integral after a great
