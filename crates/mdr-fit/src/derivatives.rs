@@ -63,7 +63,7 @@ impl Objective<'_> {
         let count = self.rows.len();
         let pieces = pieces::columns(jacobian.as_mut_slice(), evaluation.residuals.len(), count);
         let common = Common { evaluation, moving, contacts: &contacts, has_trends };
-        in_pieces(pieces.into_iter(), |(piece, mut columns)| {
+        in_pieces(pieces, |(piece, mut columns)| {
             let first = piece * PIECE;
             (first..count.min(first + PIECE)).try_for_each(|index| {
                 self.slopes_of_row(&common, index, |column, slope| columns[column][index - first] = slope)

@@ -42,8 +42,8 @@ const HOPELESS: f64 = 50.0;
 /// How many evaluations the first descents take for each free number: from a start that may be far off, and from the data.
 const PATIENCE: [usize; 2] = [30, 8];
 
-/// How many evaluations a descent on all rows takes for each free number, and on how many rows altogether: fewer of a long record, to which the
-/// descents on a part of it have led, but not less than those.
+/// The most evaluations of a descent on all rows for each free number, and the most rows in all of these together: a descent on a long record begins
+/// near its end, where those on a part of the rows have led. It has no fewer evaluations than they have.
 const PATIENCE_OF_ALL: usize = 100;
 const ROWS_OF_ALL: usize = 2_000_000;
 

@@ -11,10 +11,10 @@ pub(super) const PIECE: usize = 1024;
 /// # Errors
 /// That of the first piece that has one.
 pub(super) fn in_pieces<T: Send>(
-    pieces: impl Iterator<Item = T>,
+    pieces: impl IntoIterator<Item = T>,
     work: impl Fn((usize, T)) -> Result<()> + Sync,
 ) -> Result<()> {
-    let pieces: Vec<(usize, T)> = pieces.enumerate().collect();
+    let pieces: Vec<(usize, T)> = pieces.into_iter().enumerate().collect();
     if pieces.len() <= 1 {
         return pieces.into_iter().try_for_each(work);
     }
@@ -42,7 +42,7 @@ mod tests {
     fn pieces_are_those_of_all_rows() {
         let (rows, length) = (2 * PIECE + 3, 2 * PIECE + 5);
         let mut matrix = vec![0.0; 3 * length];
-        in_pieces(columns(&mut matrix, length, rows).into_iter(), |(index, piece)| {
+        in_pieces(columns(&mut matrix, length, rows), |(index, piece)| {
             for (column, part) in piece.into_iter().enumerate() {
                 part.iter_mut().enumerate().for_each(|(row, at)| *at = (column * length + index * PIECE + row) as f64);
             }

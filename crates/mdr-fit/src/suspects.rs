@@ -19,7 +19,7 @@ const FALL: f64 = 13.0;
 /// The most rows of a record in which a slope or a drift is looked for, which takes as long as some further evaluations.
 const ROWS: usize = 100_000;
 
-/// The rows of which a sign is told: some of a longer record.
+/// The most rows of a fit with a sign reversed: of a longer record every so many count.
 const TELLING: usize = 10_000;
 
 /// How many times smaller the sum of squares is with a sign reversed before that is named.
@@ -84,6 +84,7 @@ pub(super) fn add_signs(fit: &mut Fit, problem: &Problem, misses: bool) {
     let names = [([true, false], "x"), ([false, true], "y"), ([true, true], "x and y")];
     let reversed = names.into_iter().filter_map(|(axes, name)| {
         let found = drive::fit_from(&reversed(problem, axes), &[Source::Formula, Source::Record]).ok()?.fit;
+        // As that of all rows would be.
         let share = problem.rows.len() as f64 / found.rows.len().max(1) as f64;
         limits::fall(fit, &found).map(|_| (name, share * found.rss))
     });

@@ -72,6 +72,8 @@ pub mod path;
 pub mod profiles;
 #[cfg(feature = "mp")]
 pub mod proof;
+#[cfg(feature = "mp")]
+mod recent;
 pub mod springs;
 mod survey;
 pub mod table;

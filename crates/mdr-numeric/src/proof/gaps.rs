@@ -1,6 +1,6 @@
 //! Gaps outside contacts on a half-space, open or closed, over enclosures: a proof for each state that is asked for.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use mdr_core::contact::{Budget, Result};
 use mdr_core::number::Interval;
@@ -10,6 +10,7 @@ use super::elsewhere::{HEIGHTS, Seen};
 use super::overlap::{Outside, Place};
 use crate::admissible::GapVerdict;
 use crate::contact::Contact;
+use crate::recent::Recent;
 
 /// Why nothing is said of a state whose gap is not enclosed closely enough.
 const NOT_DECIDED: &str = "enclosures of the gap outside the contact do not decide it";
@@ -43,7 +44,7 @@ pub struct EnclosedGaps {
     profile: Option<Continuation>,
     /// The budget from which heights are paid, and what each costs.
     budget: Option<(Arc<Budget>, u64)>,
-    kept: Mutex<Vec<(Place, GapVerdict)>>,
+    kept: Recent<(Place, GapVerdict)>,
 }
 
 impl EnclosedGaps {
@@ -51,7 +52,7 @@ impl EnclosedGaps {
     /// [`Error::Domain`](mdr_core::contact::Error::Domain) on another medium than a half-space.
     pub fn new(contact: Contact<Interval>, profile: Option<Continuation>) -> Result<Self> {
         super::check_half_space(&contact)?;
-        Ok(EnclosedGaps { contact, profile, budget: None, kept: Mutex::default() })
+        Ok(EnclosedGaps { contact, profile, budget: None, kept: Recent::up_to(KEPT) })
     }
 
     /// The gaps, with a budget from which each height of the profile is paid by its `weight`; once it is spent nothing is decided.
@@ -81,22 +82,19 @@ impl EnclosedGaps {
             // A larger budget may decide more.
             return verdict;
         }
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        if kept.len() == KEPT {
-            kept.remove(0);
-        }
-        kept.push((place, verdict));
+        self.kept.keep((place, verdict));
         verdict
     }
 
     /// The verdict on a place that holds this one, or that no verdict was found for one that is nearly this.
     fn known(&self, place: &Place) -> Option<GapVerdict> {
-        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        let holds = |(other, verdict): &&(Place, GapVerdict)| match verdict {
-            GapVerdict::Undecided(_) => place.overlaps(other),
-            GapVerdict::Admissible | GapVerdict::Interpenetrating { .. } => place.is_within(other),
-        };
-        kept.iter().rev().find(holds).map(|(_, verdict)| *verdict)
+        self.kept.find(|(other, verdict)| {
+            let holds = match verdict {
+                GapVerdict::Undecided(_) => place.overlaps(other),
+                GapVerdict::Admissible | GapVerdict::Interpenetrating { .. } => place.is_within(other),
+            };
+            holds.then_some(*verdict)
+        })
     }
 
     /// The heights of f that a state may take.

@@ -21,7 +21,8 @@ use rug::Float;
 use super::super::weight::Weight;
 use super::ray::is_moderate;
 use super::span::Span;
-use super::{Enclosed, Order, PIECES_OF_INTERVAL};
+use super::{Enclosed, KEPT, Order, PIECES_OF_INTERVAL};
+use crate::recent::Recent;
 
 /// The cut is this many widths of the interval below it: there the kernel is known to a third of itself.
 const WIDTHS: u32 = 8;
@@ -68,7 +69,7 @@ impl Enclosed {
         let kernel = Kernel { part: &inside, x, order, heights: &self.heights };
         let parabola = (bend.rounded(x.ctx()) * x.square()).times(4);
         let within = enclose(&kernel, [&Float::new(BOUND_BITS), &c], &kernel.goal(&c, &parabola, span)?).ok()?;
-        let beyond = Enclosed { formula: Arc::new(outside), kept: Arc::default(), ..self.clone() };
+        let beyond = Enclosed { formula: Arc::new(outside), kept: Arc::new(Recent::up_to(KEPT)), ..self.clone() };
         let beyond = beyond.integrals(x, order).ok()?;
         let sum = |(within, beyond): (Interval, Interval)| within.rounded(x.ctx()) + beyond + &parabola;
         let sums: Vec<Interval> = within.into_iter().zip(beyond).map(sum).collect();

@@ -15,8 +15,8 @@ mod ray;
 mod slopes;
 mod span;
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 
 use mdr_core::calculus::enclose::{BOUND_BITS, Goal, Integrand, enclose};
 use mdr_core::contact::{EnclosedFormula, Error, Kink, Quantity, Result, Slopes, Transform};
@@ -24,6 +24,7 @@ use mdr_core::number::{Analytic, Interval, Precision, Real, Special};
 use rug::Float;
 
 use super::weight::Weight;
+use crate::recent::Recent;
 use cut::Cuts;
 use ray::Ray;
 pub use slopes::EnclosedWithSlopes;
@@ -65,7 +66,7 @@ pub struct Enclosed {
     formula: Arc<EnclosedFormula>,
     weight: Weight<Interval>,
     precision: Precision,
-    kept: Arc<Mutex<Vec<Kept>>>,
+    kept: Arc<Recent<Kept>>,
     heights: Arc<AtomicU64>,
     cuts: Arc<Cuts>,
 }
@@ -124,7 +125,7 @@ impl Enclosed {
     }
 
     fn weighing(formula: EnclosedFormula, precision: Precision, weight: Weight<Interval>) -> Self {
-        let (kept, heights, cuts) = (Arc::default(), Arc::default(), Arc::default());
+        let (kept, heights, cuts) = (Arc::new(Recent::up_to(KEPT)), Arc::default(), Arc::default());
         Enclosed { formula: Arc::new(formula), weight, precision, kept, heights, cuts }
     }
 
@@ -144,8 +145,7 @@ impl Enclosed {
     fn integrals(&self, x: &Interval, order: Order) -> Result<Vec<Interval>> {
         self.check(x)?;
         let same = |kept: &Kept| kept.order == order && kept.x.is_same(x) && kept.x.lower().prec() == x.lower().prec();
-        let known = |kept: &Vec<Kept>| kept.iter().find(|kept| same(kept)).map(|kept| kept.values.clone());
-        if let Some(values) = known(&self.kept.lock().unwrap_or_else(PoisonError::into_inner)) {
+        if let Some(values) = self.kept.find(|kept| same(kept).then(|| kept.values.clone())) {
             return Ok(values);
         }
         let mut values = self.between_breaks(x, order, self.formula.breaks())?;
@@ -154,11 +154,7 @@ impl Enclosed {
         if !Span::of(x).is_wide && !values.iter().all(Real::is_finite) {
             return Err(unproved(x, "a kink of the formula is not located"));
         }
-        let mut kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
-        if kept.len() == KEPT {
-            kept.remove(0);
-        }
-        kept.push(Kept { x: x.clone(), order, values: values.clone() });
+        self.kept.keep(Kept { x: x.clone(), order, values: values.clone() });
         Ok(values)
     }
 
