@@ -83,6 +83,24 @@ impl Budget {
         self.spent.load(Ordering::Relaxed)
     }
 
+    /// What is done within it with half as much again in reserve, for what begins after that.
+    ///
+    /// ```
+    /// use mdr_core::contact::Budget;
+    /// let budget = Budget::default();
+    /// budget.allow(100);
+    /// budget.spend(70);
+    /// assert!(budget.holding_back(|| budget.is_spent_but_for_reserve()));
+    /// assert!(!budget.is_spent_but_for_reserve());
+    /// ```
+    pub fn holding_back<T>(&self, part: impl FnOnce() -> T) -> T {
+        let reserve = self.reserve.load(Ordering::Relaxed);
+        self.reserve.store(reserve + reserve / 2, Ordering::Relaxed);
+        let done = part();
+        self.reserve.store(reserve, Ordering::Relaxed);
+        done
+    }
+
     /// Spends some.
     pub fn spend(&self, work: u64) {
         self.spent.fetch_add(work, Ordering::Relaxed);

@@ -35,6 +35,8 @@ pub struct ProvedBranches {
     pub(super) edge: Option<VerticalEdge>,
     /// The equator, if no fold lies between the range and it.
     pub(super) equator: Option<Interval>,
+    /// Whether equilibria are looked for below the range, and above it.
+    is_open: [bool; 2],
     admissibility: OnceLock<Arc<Admissibility>>,
     profile: Option<Continuation>,
 }
@@ -72,8 +74,21 @@ impl ProvedBranches {
         folds.sort_by(|one, other| one.contact_radius.lower().total_cmp(other.contact_radius.lower()));
         let edge = curve.vertical_edge()?.filter(|edge| proved.range.1 >= *edge.radius.lower());
         let equator = curve.stable_equator(&proved.range.1)?;
-        let admissibility = OnceLock::new();
-        Ok(ProvedBranches { curve, folds, range: proved.range.clone(), edge, equator, admissibility, profile: None })
+        let (range, admissibility, is_open) = (proved.range.clone(), OnceLock::new(), [true; 2]);
+        Ok(ProvedBranches { curve, folds, range, edge, equator, is_open, admissibility, profile: None })
+    }
+
+    /// The branches of each [part](ProvedFolds::decided_parts) of a range of which something is undecided. On a part its equilibria are
+    /// complete; they are looked for beyond it only where it ends with the range.
+    ///
+    /// # Errors
+    /// [`Error::Undecided`] if a fold cannot be refined; errors of the transform at a fold. See [`ProvedBranches::new`].
+    pub fn of_parts(curve: &EnclosedCurve, proved: &ProvedFolds) -> Result<Vec<Self>> {
+        let of = |part: &ProvedFolds| {
+            let is_open = [part.range.0 == proved.range.0, part.range.1 == proved.range.1];
+            Ok(ProvedBranches { is_open, ..Self::new(curve.clone(), part)? })
+        };
+        proved.decided_parts().iter().map(of).collect()
     }
 
     /// Sets the admissibility, which is otherwise searched when needed.
@@ -422,11 +437,12 @@ impl EquilibriumBranches<Interval> for ProvedBranches {
         }
         let [lower, upper] = ends;
         if branch == 0
+            && self.is_open[0]
             && let (near, Some(far)) = self.walk(lower, self.below(), value)
         {
             return self.between([far, near], value).map(Some);
         }
-        if last && self.edge.is_none() { self.outwards(upper, value) } else { Ok(None) }
+        if last && self.is_open[1] && self.edge.is_none() { self.outwards(upper, value) } else { Ok(None) }
     }
 }
 

@@ -19,6 +19,7 @@ mod energy;
 mod equator;
 mod extrema;
 mod fields;
+mod found;
 mod gaps;
 mod kinks;
 mod overlap;
@@ -33,6 +34,7 @@ pub use continuation::Continuation;
 pub use energy::{EnclosedEnergy, StoredEnergy};
 pub use extrema::rises_from;
 pub use fields::EnclosedFields;
+pub use found::ProvedFolds;
 pub use gaps::EnclosedGaps;
 pub use pull_off::EnclosedPullOff;
 pub use range::range;
@@ -80,47 +82,6 @@ pub struct EnclosedCurve {
     fine: Option<Arc<EnclosedCurve>>,
     /// Whether g is an integral, of which few digits cost less than all.
     is_by_integrals: bool,
-}
-
-/// The folds found on a range of radii, and the parts left undecided.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct ProvedFolds {
-    /// The range. Nothing is claimed outside it.
-    pub range: (Float, Float),
-    /// The folds, by increasing radius; each quantity is an enclosure.
-    pub folds: Vec<Fold<Interval>>,
-    /// Radii where g, and with it the controlled quantity, diverges: the curve of equilibria is cut there as by a fold.
-    /// The radius is somewhere in its enclosure; indentation and force are unbounded.
-    pub poles: Vec<Fold<Interval>>,
-    /// Parts of the range that may contain further folds: around kinks without known bounds, where two folds nearly
-    /// merge, and cells left when the budget is spent.
-    pub undecided: Vec<(Float, Float)>,
-    /// The decided parts of the range, ascending, and how the controlled quantity behaves on each.
-    pub cells: Vec<ProvedCell>,
-    /// Evaluations of the tangency condition.
-    pub evaluations: usize,
-    /// Whether the [work](Error::BudgetSpent) that the evaluations may take was spent: something undecided was not looked at then.
-    pub is_spent: bool,
-}
-
-impl ProvedFolds {
-    /// Nothing found yet on a range.
-    pub fn on(range: (Float, Float)) -> Self {
-        let (folds, poles, undecided, cells) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        ProvedFolds { range, folds, poles, undecided, cells, evaluations: 0, is_spent: false }
-    }
-
-    /// A part that was not looked at, because the work was spent.
-    fn leave(&mut self, part: (Float, Float)) {
-        self.is_spent = true;
-        self.undecided.push(part);
-    }
-
-    /// Whether the folds are proved to be all in the range.
-    pub fn is_complete(&self) -> bool {
-        self.undecided.is_empty()
-    }
 }
 
 impl EnclosedCurve {

@@ -118,10 +118,12 @@ impl<'w> IsRoom<'w> for Room<'w> {
     /// Proved where the folds are; each value for itself if not all can be.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        let Some(folds) = certified.fold_proof()? else { return Ok(None) };
+        let Some(folds) = certified.fold_proof()?.filter(|folds| folds.complete.proved) else {
+            return Ok(some(certified, self.at)?.map(Output::Equilibria));
+        };
         let list = match proved_at(certified, folds, self.at)? {
             Some(items) => List::new(Promise::Certified, items).complete(complete(folds)),
-            None if folds.complete.proved && self.at.len() > 1 => one_by_one(certified, folds, self.at)?,
+            None if self.at.len() > 1 => one_by_one(certified, folds, self.at)?,
             None => return Ok(None),
         };
         Ok(Some(Output::Equilibria(list)))
@@ -188,6 +190,22 @@ fn complete(folds: &FoldProof) -> Completeness {
     Completeness { why, ..folds.complete.clone() }
 }
 
+/// The equilibria at radii where the folds are proved, of a proof whose budget ended; `None` if a search finds more of them.
+///
+/// # Errors
+/// A value out of its domain; errors of the transform and of the search.
+#[cfg(feature = "mp")]
+fn some(certified: &Certified<'_>, values: &[Literal]) -> Result<Option<List<AtValue<Equilibrium>>>> {
+    let Some(folds) = certified.some_folds()? else { return Ok(None) };
+    let Some(items) = proved_at(certified, folds, values)? else { return Ok(None) };
+    let searched = in_doubles_at(certified, values)?;
+    let is_more = |(proved, searched): (&AtValue<Equilibrium>, &AtValue<Equilibrium>)| {
+        !proved.items.is_empty() && proved.items.len() >= searched.items.len()
+    };
+    let is_chosen = items.iter().zip(&searched).all(is_more);
+    Ok(is_chosen.then(|| List::new(Promise::Certified, items).complete(folds.complete.clone())))
+}
+
 /// All equilibria in the range at each value, and those met beyond it unless the scene names the range; `None` if they cannot be
 /// proved.
 ///
@@ -202,11 +220,13 @@ fn proved_at(
     let limits = folds.limits.as_ref();
     let items = certified.decide(|precision| {
         let enclosed = Enclosed::new(certified, precision)?;
-        let branches = ProvedBranches::new(enclosed.curve(), &folds.proved)?;
+        let parts = ProvedBranches::of_parts(&enclosed.curve(), &folds.proved)?;
         let admissibility = certified.admissibility()?;
         let at = |literal: &Literal| {
+            let value = enclosed.value.number(literal);
             let mut states = Vec::new();
-            for state in branches.equilibria(&enclosed.value.number(literal))? {
+            for state in parts.iter().map(|branches| branches.equilibria(&value)).collect::<Result<Vec<_>>>()?.concat()
+            {
                 if limits.map_or(Ok(true), |limits| {
                     is_within(&enclosed.value.contact_radius(&state.contact_radius), limits)
                 })? {

@@ -26,7 +26,7 @@ use crate::solve::verdict;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
-    digits::{decide_within, start},
+    digits::{as_far_as_known, start},
     power_law::{self, PowerLaw},
     proof::{self, Enclosed, FoldProof},
 };
@@ -118,7 +118,8 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        certified.fold_proof()?.map(|folds| proved(certified, folds).map(Output::Folds)).transpose()
+        let folds = certified.fold_proof()?.map_or_else(|| certified.some_folds(), |folds| Ok(Some(folds)))?;
+        folds.map(|folds| proved(certified, folds).map(Output::Folds)).transpose()
     }
 
     fn searched(&self, search: &Search<'_>) -> Result<Output> {
@@ -173,8 +174,8 @@ fn proved(certified: &Certified<'_>, folds: &FoldProof) -> Result<List<Fold>> {
             // As many digits as are known already.
             Err(contact::Error::BudgetSpent { .. }) => {
                 let digits = digits_of(fold).min(certified.digits);
-                let first = start(digits);
-                decide_within(1, first, digits, |_| Ok(record(&curves.at(first)?.enclosed.value, fold.clone())))
+                let Known { enclosed, .. } = curves.at(start(digits))?;
+                Ok(as_far_as_known(digits, record(&enclosed.value, fold.clone())))
             }
             refined => refined,
         }

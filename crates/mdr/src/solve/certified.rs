@@ -133,7 +133,11 @@ impl<'s> Certified<'s> {
     /// A number that no double holds; errors of the search.
     pub(crate) fn plain(&self) -> Result<&Search<'s>> {
         once(&self.plain, || {
-            let is_open = matches!(self.folds.get(), Some(Err(_) | Ok(None)));
+            let is_open = |folds: &FoldProof| folds.complete.undecided;
+            let is_open = self.folds.get().is_some_and(|folds| match folds {
+                Ok(folds) => folds.as_ref().is_none_or(is_open),
+                Err(_) => true,
+            });
             Ok(self.search()?.in_units(self.counts)?.knowing(self.admissibility()?, self.remark(), is_open))
         })
     }
@@ -152,6 +156,9 @@ impl<'s> Certified<'s> {
             Ok(None) => return Some("; a proof was begun, and left undecided".to_owned()),
             folds => folds.as_ref().ok()?.as_ref()?,
         };
+        if folds.complete.undecided {
+            return Some(format!("; a proof was begun, and is {}", folds.complete.why));
+        }
         let [from, to] = [&folds.complete.from, &folds.complete.to].map(|end| end.as_deref().unwrap_or("infinity"));
         Some(format!("; the folds are proved to be all within radii from {from} to {to} m, and not every state is"))
     }
@@ -210,13 +217,27 @@ impl<'s> Certified<'s> {
     /// # Errors
     /// A range out of its domain; errors of the transform. See [`FoldProof::new`].
     pub(crate) fn fold_proof(&self) -> Result<Option<&FoldProof>> {
+        let is_closed = self.scene.is_closed() && self.scene.exact_rows().is_none();
+        Ok(self.proof_of_folds()?.filter(|folds| is_closed || folds.complete.proved))
+    }
+
+    /// The folds that were proved before the budget ended, where a search finds no more of them.
+    ///
+    /// # Errors
+    /// The errors of [`fold_proof`](Certified::fold_proof); errors of the search.
+    pub(crate) fn some_folds(&self) -> Result<Option<&FoldProof>> {
+        let Some(folds) = self.proof_of_folds()? else { return Ok(None) };
+        let count = folds.proved.folds.len();
+        Ok((count > 0 && count >= self.search()?.folds()?.folds.len()).then_some(folds))
+    }
+
+    /// What a proof finds of the folds, whether or not it leaves something undecided.
+    fn proof_of_folds(&self) -> Result<Option<&FoldProof>> {
         let folds = once(&self.folds, || {
             Ok(match self.scene.exact_rows() {
                 None if self.scene.is_closed() => Some(FoldProof::new(self)?),
-                None if self.scene.is_enclosed() => {
-                    proof::decided(FoldProof::new(self))?.filter(|folds| folds.complete.proved)
-                }
-                Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?).filter(|folds| folds.complete.proved),
+                None if self.scene.is_enclosed() => proof::decided(FoldProof::new(self))?,
+                Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?),
                 _ => None,
             })
         });

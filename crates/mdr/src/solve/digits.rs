@@ -95,6 +95,27 @@ pub(crate) fn decide_within<T: Numbers<Enclosure>>(
     }
 }
 
+/// By how many digits fewer all numbers of a record may be decided, where one of them is near a decimal tie.
+const FEWER: u32 = 3;
+
+/// The digits of enclosures on which no more work is spent: so many, or somewhat fewer if those are decided in all of them.
+pub(crate) fn as_far_as_known<T: Numbers<Enclosure>>(digits: u32, records: T) -> T::With<Number> {
+    let at = |digits: u32| {
+        let mut decided = Vec::new();
+        round(&known(&records.rows()), digits, &mut decided);
+        decided
+    };
+    let fewer = (digits.saturating_sub(FEWER).max(1)..digits).rev();
+    let all = std::iter::once(digits).chain(fewer).map(at).find(|decided| decided.iter().all(Option::is_some));
+    let decided = all.unwrap_or_else(|| at(digits));
+    written(
+        records,
+        decided,
+        Number::Certified,
+        "the precision that was reached before the work ended does not decide its digits",
+    )
+}
+
 /// The numbers of rows, in their order.
 fn known<'a, N>(rows: &[Row<'a, N>]) -> Vec<&'a N> {
     let number = |(_, cell): (_, &Cell<'a, N>)| match *cell {

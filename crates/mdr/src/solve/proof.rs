@@ -99,7 +99,9 @@ impl FoldProof {
         if bits < asked.bits() && asked.bits() <= FINEST {
             curve = curve.with_fine(Enclosed::new(certified, asked)?.curve().by_integrals());
         }
-        let proved = curve.folds(lower.lower(), upper.upper(), budget_of_folds(certified.scene))?;
+        // What states need once the folds are known is kept.
+        let folds = || curve.folds(lower.lower(), upper.upper(), budget_of_folds(certified.scene));
+        let proved = certified.counts[0].budget().holding_back(folds)?;
         let limits = is_limit.then(|| range.clone());
         let [from, to] = range;
         let to = match enclosed.value.contact().vertical_edge() {

@@ -14,7 +14,7 @@ use mdr_numeric::proof::{Continuation, EnclosedEnergy, EnclosedFields, ProvedBra
 use mdr_numeric::table::Table;
 
 use super::certified::Certified;
-use super::digits::{MOST_OF_INTEGRALS, decide_within, start};
+use super::digits::{MOST_OF_INTEGRALS, as_far_as_known, decide_within, start};
 use super::is_open;
 use super::model::Model;
 use super::proof::{Enclosed, controlled_exactly, reached};
@@ -214,7 +214,7 @@ where
 ///
 /// # Errors
 /// Errors of the transform; a value out of its domain.
-pub(crate) fn described_in_part<T: Numbers<Enclosure> + Clone>(
+pub(crate) fn described_in_part<T: Numbers<Enclosure>>(
     certified: &Certified<'_>,
     is_enclosed: bool,
     values: &[Literal],
@@ -266,8 +266,7 @@ where
         Err(Error::BudgetSpent { .. }) => None,
         all => all?,
     };
-    let printed = || decide_within(1, start(certified.digits), certified.digits, |_| Ok(records.clone()));
-    let some = if all.is_none() { Some(printed()?) } else { None };
+    let some = all.is_none().then(|| as_far_as_known(certified.digits, records));
     Ok(Described { all, some })
 }
 
