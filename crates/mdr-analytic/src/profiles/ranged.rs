@@ -24,35 +24,40 @@ pub(super) fn evaluate<R: Special, P: ClosedForm<R>>(
             return Ok(value);
         }
     }
-    rescaled(profile, x, degree, formula)
+    rescaled(profile, x, degree, &formula)
 }
 
+/// Not compiled anew for each formula.
 #[cold]
-fn rescaled<R: Special, P: ClosedForm<R>>(profile: &P, x: &R, degree: i64, formula: impl Fn(&P, &R) -> R) -> Result<R> {
-    let singular = || {
-        let Some(edge) = profile.edge() else {
-            let requirement = "small enough, against the shortest length of the profile, for this arithmetic";
-            return Error::domain(Quantity::Radius, x, requirement);
-        };
-        let requirement = "away from the edge where the transformed profile is singular";
-        let value = format!("{:?} for the edge {:?}", x.approx(), edge.approx());
-        Error::Domain { quantity: Quantity::Radius, value, requirement }
-    };
+fn rescaled<R: Special, P: ClosedForm<R>>(profile: &P, x: &R, degree: i64, formula: &dyn Fn(&P, &R) -> R) -> Result<R> {
     let k = (x.ln().approx() / std::f64::consts::LN_2).floor() as i64;
     let (value, k) = match (profile.scaled(-k), times_power_of_two(x, -k)) {
         (Some(near), Some(x)) => (formula(&near, &x), k),
         _ => (formula(profile, x), 0),
     };
     if !value.is_finite() {
-        return Err(singular());
+        return Err(singular(x, profile.edge()));
     }
-    times_power_of_two(&value, degree * k).map_or_else(
-        || {
-            let log2 = value.abs().ln().approx() / std::f64::consts::LN_2 + (degree * k) as f64;
-            Err(Error::OutOfRange { quantity: Quantity::TransformedProfile, log10: log2 * std::f64::consts::LOG10_2 })
-        },
-        Ok,
-    )
+    scaled_back(&value, degree * k)
+}
+
+/// The error where a formula has no finite value.
+fn singular<R: Special>(x: &R, edge: Option<&R>) -> Error {
+    let Some(edge) = edge else {
+        let requirement = "small enough, against the shortest length of the profile, for this arithmetic";
+        return Error::domain(Quantity::Radius, x, requirement);
+    };
+    let requirement = "away from the edge where the transformed profile is singular";
+    let value = format!("{:?} for the edge {:?}", x.approx(), edge.approx());
+    Error::Domain { quantity: Quantity::Radius, value, requirement }
+}
+
+/// A value times 2ᵏ, if it is in range.
+fn scaled_back<R: Special>(value: &R, k: i64) -> Result<R> {
+    times_power_of_two(value, k).ok_or_else(|| {
+        let log2 = value.abs().ln().approx() / std::f64::consts::LN_2 + k as f64;
+        Error::OutOfRange { quantity: Quantity::TransformedProfile, log10: log2 * std::f64::consts::LOG10_2 }
+    })
 }
 
 /// x·2ᵏ, in two steps if the power of two is itself out of range; `None` if it overflows.
