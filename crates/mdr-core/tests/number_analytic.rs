@@ -2,7 +2,7 @@
 #![cfg(feature = "mp")]
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
-use mdr_core::number::{Analytic, Euler, Interval, NearZero, Precision, Real, Rectangle};
+use mdr_core::number::{Analytic, DoubleInterval, Euler, Interval, NearZero, Precision, Real, Rectangle};
 use proptest::prelude::*;
 
 fn number(value: f64) -> Interval {
@@ -42,6 +42,30 @@ proptest! {
         }
     }
 
+    /// tanh on rectangles and intervals contains its values at points, which are those of sinh/cosh, with two derivatives.
+    #[test]
+    fn hyperbolic_tangents_hold_at_points(
+        left in -4.0..4.0f64, width in 0.0..1.0f64, low in -0.7..0.7f64, high in 0.0..0.7f64, u in 0.0..1.0f64, v in 0.0..1.0f64,
+    ) {
+        let set = Rectangle::new(number(left).hull(&number(left + width)), number(low).hull(&number(low + high)));
+        let point = Rectangle::new(number(left + width * u), number(low + high * v));
+        let (sinh, cosh) = point.sinh_cosh();
+        let truth = sinh.quotient(&cosh).unwrap();
+        if let Some(value) = set.tanh() {
+            prop_assert!(value.re().overlaps(truth.re()) && value.im().overlaps(truth.im()));
+        }
+        let near = point.tanh().unwrap();
+        prop_assert!(near.re().overlaps(truth.re()) && near.re().radius() < 1e-15, "{near:?} {truth:?}");
+        let real = number(left + width * u);
+        let [found, divided] = [
+            Euler::variable(&real, 2).tanh().unwrap(),
+            { let (sinh, cosh) = Euler::variable(&real, 2).sinh_cosh(); sinh.quotient(&cosh).unwrap() },
+        ];
+        for k in 0..=2 {
+            prop_assert!(found.derivative(k).overlaps(&divided.derivative(k)));
+        }
+    }
+
     /// Powers and logarithms, with three Euler derivatives, at radii below the end.
     #[test]
     fn what_is_known_near_zero_holds_at_points(end in -30.0..-0.1, share in 0.0..40.0f64, n in 1..9, m in 1..4) {
@@ -73,5 +97,30 @@ proptest! {
                 }
             }
         }
+    }
+}
+
+/// Far from 0 cosh has no bound among doubles, and tanh and a logistic step are ±1 and 0 or 1.
+#[test]
+fn steps_are_known_far_away() {
+    let far = |x: f64| DoubleInterval::point(x - 200.0).hull(&DoubleInterval::point(x + 200.0));
+    let high = DoubleInterval::point(0.0).hull(&DoubleInterval::point(200.0));
+    for sign in [-1.0, 1.0] {
+        let tanh = Rectangle::new(far(1e5 * sign), high).tanh().unwrap();
+        assert!(tanh.re().lower() <= sign && sign <= tanh.re().upper(), "{tanh:?}");
+        let [width, height] = [tanh.re(), tanh.im()].map(|part| part.upper() - part.lower());
+        // A dozen roundings, half of them on each side.
+        assert!(width < 16.0 * f64::EPSILON && height < f64::MIN_POSITIVE, "{tanh:?}");
+    }
+    let formula: mdr_core::contact::Expression = "1/(1 + exp((0.5 - r)/1e-5))".parse().unwrap();
+    let none = Default::default();
+    let precision = Precision::new(64);
+    let enclosed = formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap();
+    let step = enclosed.part(0).unwrap();
+    for (centre, truth) in [(0.3, 0.0), (0.7, 1.0)] {
+        let re = DoubleInterval::point(centre - 0.1).hull(&DoubleInterval::point(centre + 0.1));
+        let value = step.at(&Rectangle::new(re, DoubleInterval::point(0.0).hull(&DoubleInterval::point(0.1)))).unwrap();
+        let off = [value.re().lower() - truth, value.re().upper() - truth, value.im().lower(), value.im().upper()];
+        assert!(off.iter().all(|off| off.abs() < 16.0 * f64::EPSILON), "{centre}: {value:?}");
     }
 }

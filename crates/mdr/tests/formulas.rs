@@ -33,7 +33,7 @@ fn no_state_beside_a_narrow_dip_is_called_admissible() {
     for s in ["5e-4", "1e-6", "1e-9"] {
         let answer = |arithmetic: &str| {
             let rest = format!("output = {{ want = [\"equilibria\"], equilibria.at = [0], {arithmetic} }}");
-            solved(&formula(&dip(s), &rest))
+            solved_within(&formula(&dip(s), &rest), 3.0)
         };
         let searched = answer("arithmetic = \"f64\"");
         for state in searched["equilibria"][0]["equilibria"].as_array().unwrap() {
@@ -415,6 +415,20 @@ fn what_is_proved_beside_a_narrow_dip_outlasts_the_budget() {
         assert!(left.starts_with("undecided at contact radii 4."), "{left}");
     }
     assert_eq!(state["admissible"], false, "{equilibria}");
+}
+
+/// A step by tanh, or as a logistic function, leaves g = x² before it: cosh and exp have no bound among doubles there.
+#[test]
+fn profiles_with_steps_are_proved() {
+    for step in
+        ["0.01*(tanh((r-0.5)/1e-3) + tanh(0.5/1e-3))", "0.02/(1 + exp((0.5-r)/5e-4)) - 0.02/(1 + exp(0.5/5e-4))"]
+    {
+        let rest = "output = { want = [\"folds\"], digits = 12, folds.range = [\"1e-3\", \"0.49\"] }";
+        let answer = solved_within(&formula(&format!("r^2/2 + {step}"), rest), 3.0);
+        let fold: f64 = answer["folds"][0]["contact_radius"].as_str().expect("certified").parse().unwrap();
+        assert!((fold / (0.125 * std::f64::consts::PI * 1e-4).cbrt() - 1.0).abs() < 1e-10, "{step}: {fold}");
+        assert_eq!(answer["complete"]["folds"]["proved"], true, "{answer}");
+    }
 }
 
 /// A state whose energy is not enclosed within the budget takes that of the others with it no longer: all are doubles, from what is kept of

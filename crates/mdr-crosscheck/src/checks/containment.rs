@@ -34,7 +34,7 @@ fn demand(trial: &mut Trial<'_>, quantity: &str, few: Result<Vec<Interval>>, tru
     let (Ok(few), Ok(truth)) = (few, truth) else { return };
     trial.demand(format!("{quantity}: as many"), few.len() == truth.len());
     for (few, truth) in few.iter().zip(&truth) {
-        let within = few.contains(truth.lower()) && few.contains(truth.upper());
+        let within = few.encloses(truth);
         // What is written down of a miss: how far beside, in radii.
         let off = ((truth.mid() - few.mid()).abs() / few.radius()).to_f64();
         trial.enter(format!("{quantity} of {} bits", few.precision()), if within { 0.0 } else { off.min(1e9) }, 0.0);

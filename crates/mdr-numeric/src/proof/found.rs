@@ -46,7 +46,8 @@ impl ProvedFolds {
         self.undecided.is_empty()
     }
 
-    /// The parts of the range between those that are undecided: the folds of each are all that it has.
+    /// The parts of the range between those that are undecided: the folds of each are all that it has. Parts with a fold that is not certainly
+    /// on one side of an end are left out; without anything undecided the range is the only part.
     ///
     /// ```
     /// use mdr_numeric::proof::ProvedFolds;
@@ -57,6 +58,9 @@ impl ProvedFolds {
     /// assert!(parts.len() == 2 && parts[0].range.1 == 2 && parts[1].range.0 == 3 && parts[1].is_complete());
     /// ```
     pub fn decided_parts(&self) -> Vec<ProvedFolds> {
+        if self.is_complete() {
+            return vec![self.clone()];
+        }
         let mut undecided = self.undecided.clone();
         undecided.sort_by(|one, other| one.0.total_cmp(&other.0));
         let ends = undecided.iter().map(|(from, _)| from).chain([&self.range.1]);
@@ -71,12 +75,11 @@ impl ProvedFolds {
 
     /// What was found between two radii; `None` if a fold is not certainly on one side of them.
     fn part(&self, from: &Float, to: &Float) -> Option<ProvedFolds> {
+        let range = Interval::new(from.clone(), to.clone());
         let within = |folds: &[Fold<Interval>]| {
-            let meets =
-                |fold: &&Fold<Interval>| fold.contact_radius.lower() <= to && fold.contact_radius.upper() >= from;
+            let meets = |fold: &&Fold<Interval>| fold.contact_radius.overlaps(&range);
             let folds: Vec<_> = folds.iter().filter(meets).cloned().collect();
-            let is_within = |radius: &Interval| radius.lower() >= from && radius.upper() <= to;
-            folds.iter().all(|fold| is_within(&fold.contact_radius)).then_some(folds)
+            folds.iter().all(|fold| range.encloses(&fold.contact_radius)).then_some(folds)
         };
         let cells = self.cells.iter().filter(|cell| cell.from >= *from && cell.to <= *to).cloned().collect();
         let (folds, poles) = (within(&self.folds)?, within(&self.poles)?);

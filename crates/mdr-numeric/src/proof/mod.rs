@@ -307,8 +307,7 @@ impl EnclosedCurve {
             let candidate = self.approached(&cell)?;
             if let Some(zero) = verify(&candidate, |a| self.condition(a), |a| self.slope(a))?
                 && let Some(common) = zero.intersect(&cell)
-                && (cell.contains(zero.lower()) && cell.contains(zero.upper())
-                    || !self.slope(&zero.hull(&cell))?.contains_zero())
+                && (cell.encloses(&zero) || !self.slope(&zero.hull(&cell))?.contains_zero())
             {
                 // The verified zero is that of the cell: it lies within it, or both together contain only one.
                 return Ok(Some(common));

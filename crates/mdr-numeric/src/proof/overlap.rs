@@ -56,8 +56,7 @@ impl Place {
 
     /// Whether what is certain of another place is certain here.
     pub(super) fn is_within(&self, other: &Place) -> bool {
-        let within = |one: &Interval, other: &Interval| other.contains(one.lower()) && other.contains(one.upper());
-        within(&self.a, &other.a) && within(&self.d, &other.d)
+        other.a.encloses(&self.a) && other.d.encloses(&self.d)
     }
 
     pub(super) fn overlaps(&self, other: &Place) -> bool {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use rug::Float;
 
 use super::breaks::Breaks;
+use super::steady::over_exponential;
 use super::switch::{Switch, is_positive};
 use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
 use crate::calculus::enclose::BOUND_BITS;
@@ -301,6 +302,11 @@ impl Node<Interval> {
         if let Some(departure) = self.departure() {
             return departure.analytic(r);
         }
+        if let Node::Operation(Operator::Divide, a, b) = self
+            && let Some((c, u)) = b.beside_exponential()
+        {
+            return over_exponential(&a.analytic(r)?, c, &u.analytic(r)?);
+        }
         Some(match self {
             Node::Variable => r.clone(),
             Node::Constant(constant) => r.constant(constant),
@@ -356,10 +362,7 @@ impl Function {
             Function::Acos => x.constant(&Real::over(number(1).pi(), 2)).minus(&x.asin()?),
             Function::Sinh => x.sinh_cosh().0,
             Function::Cosh => x.sinh_cosh().1,
-            Function::Tanh => {
-                let (sinh, cosh) = x.sinh_cosh();
-                sinh.quotient(&cosh)?
-            }
+            Function::Tanh => x.tanh()?,
             Function::Atanh => x.atanh()?,
             Function::Abs => return None,
         })

@@ -121,6 +121,27 @@ impl<R: Special> Kind<'_, R> {
 }
 
 #[cfg(feature = "mp")]
+impl Node<Interval> {
+    /// c and u, if this is c + exp(u) with a constant c.
+    pub(super) fn beside_exponential(&self) -> Option<(&Interval, &Node<Interval>)> {
+        self.parts_of_sum().find_map(|part| match part {
+            (Node::Constant(constant), Node::Function(Function::Exp, u), false) => Some((constant, &**u)),
+            _ => None,
+        })
+    }
+}
+
+/// a/(c + exp(u)): where that is not bounded as a exp(−u)/(c exp(−u) + 1), whose exponential does not overflow and may be known to be small.
+#[cfg(feature = "mp")]
+pub(super) fn over_exponential<T: Analytic>(a: &T, c: &Interval, u: &T) -> Option<T> {
+    let direct = a.quotient(&u.constant(c).plus(&u.exp()));
+    direct.filter(T::is_bounded).or_else(|| {
+        let e = u.negated().exp();
+        a.product(&e).quotient(&e.scaled(c).plus(&e.integer(1)))
+    })
+}
+
+#[cfg(feature = "mp")]
 impl Departure<'_, Interval> {
     /// The value over a set.
     pub(super) fn analytic<T: Analytic>(&self, r: &T) -> Option<T> {

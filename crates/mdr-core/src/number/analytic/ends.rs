@@ -175,6 +175,9 @@ impl<I: Ends> Analytic for I {
     fn sinh_cosh(&self) -> (Self, Self) {
         (Special::sinh(self), Special::cosh(self))
     }
+    fn tanh(&self) -> Option<Self> {
+        defined(Special::tanh(self))
+    }
     fn atan(&self) -> Option<Self> {
         defined(Special::atan(self))
     }
@@ -186,6 +189,13 @@ impl<I: Ends> Analytic for I {
     }
     fn is_bounded(&self) -> bool {
         Real::is_finite(self)
+    }
+    fn side(&self) -> Option<Ordering> {
+        match self.signs() {
+            [Ordering::Greater | Ordering::Equal, _] => Some(Ordering::Greater),
+            [_, Ordering::Less | Ordering::Equal] => Some(Ordering::Less),
+            _ => None,
+        }
     }
     fn is_small(&self) -> bool {
         self.is_within_half()

@@ -1,5 +1,7 @@
 //! Derivatives in the logarithm of a radius.
 
+use std::cmp::Ordering;
+
 use super::Analytic;
 use crate::number::Interval;
 
@@ -266,6 +268,9 @@ impl<T: Analytic> Analytic for Euler<T> {
     }
     fn is_bounded(&self) -> bool {
         self.coefficients.iter().all(T::is_bounded)
+    }
+    fn side(&self) -> Option<Ordering> {
+        self.value().side()
     }
     fn is_small(&self) -> bool {
         self.value().is_small()

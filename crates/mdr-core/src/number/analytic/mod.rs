@@ -10,6 +10,8 @@ pub use euler::Euler;
 pub use near_zero::NearZero;
 pub use rectangle::Rectangle;
 
+use std::cmp::Ordering;
+
 use super::{Interval, Precision, Real};
 
 /// A set of numbers on which a formula is evaluated: an [`Interval`], a [`DoubleInterval`](super::DoubleInterval), a complex
@@ -68,6 +70,20 @@ pub trait Analytic: Clone {
     fn sin_cos(&self) -> (Self, Self);
     /// The hyperbolic sine and cosine.
     fn sinh_cosh(&self) -> (Self, Self);
+    /// tanh x: as (1 − e)/(1 + e) with e = exp(−2|x|), which does not overflow, and as sinh x/cosh x where x may have both signs or is small.
+    fn tanh(&self) -> Option<Self> {
+        match self.side() {
+            Some(Ordering::Less) if !self.is_small() => Some(self.negated().tanh()?.negated()),
+            Some(_) if !self.is_small() => {
+                let (one, e) = (self.integer(1), self.multiplied(-2).exp());
+                one.minus(&e).quotient(&one.plus(&e))
+            }
+            _ => {
+                let (sinh, cosh) = self.sinh_cosh();
+                sinh.quotient(&cosh)
+            }
+        }
+    }
     /// arctan x.
     fn atan(&self) -> Option<Self>;
     /// arcsin x.
@@ -76,6 +92,8 @@ pub trait Analytic: Clone {
     fn atanh(&self) -> Option<Self>;
     /// Whether both ends of every part are numbers.
     fn is_bounded(&self) -> bool;
+    /// The side of 0 on which all real parts lie, with 0 on both of them; `None` where they have both signs.
+    fn side(&self) -> Option<Ordering>;
     /// Whether every part is certainly within (−1/2, 1/2).
     fn is_small(&self) -> bool;
 

@@ -1,5 +1,7 @@
 //! Functions on all numbers of a ray up to one, 0 left out: with powers and logarithms that have no value at 0.
 
+use std::cmp::Ordering;
+
 use rug::Rational;
 
 use super::Analytic;
@@ -193,6 +195,9 @@ impl<T: Analytic> Analytic for NearZero<T> {
     fn sinh_cosh(&self) -> (Self, Self) {
         (self.by_range(|x| x.sinh_cosh().0), self.by_range(|x| x.sinh_cosh().1))
     }
+    fn tanh(&self) -> Option<Self> {
+        Some(self.constant_set(self.range()?.tanh()?))
+    }
     fn atan(&self) -> Option<Self> {
         Some(self.constant_set(self.range()?.atan()?))
     }
@@ -204,6 +209,9 @@ impl<T: Analytic> Analytic for NearZero<T> {
     }
     fn is_bounded(&self) -> bool {
         self.range().is_some()
+    }
+    fn side(&self) -> Option<Ordering> {
+        self.range()?.side()
     }
     fn is_small(&self) -> bool {
         self.range().is_some_and(|range| range.is_small())

@@ -222,6 +222,9 @@ impl<I: Ends> Analytic for Rectangle<I> {
     fn is_bounded(&self) -> bool {
         self.re.is_bounded() && self.im.is_bounded()
     }
+    fn side(&self) -> Option<Ordering> {
+        self.re.side()
+    }
     fn is_small(&self) -> bool {
         self.re.is_small() && self.im.is_small()
     }

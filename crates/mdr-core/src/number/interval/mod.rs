@@ -158,6 +158,11 @@ impl Interval {
         (lo <= self.hi).then(|| Interval::new(lo, self.hi.clone()))
     }
 
+    /// Whether every number of the other lies in the interval.
+    pub fn encloses(&self, other: &Interval) -> bool {
+        self.lo <= other.lo && other.hi <= self.hi
+    }
+
     /// Whether the two intervals have a number in common.
     pub fn overlaps(&self, other: &Interval) -> bool {
         self.lo <= other.hi && other.lo <= self.hi
