@@ -24,7 +24,7 @@ pub struct ProvedFolds {
     pub cells: Vec<ProvedCell>,
     /// Evaluations of the tangency condition.
     pub evaluations: usize,
-    /// Whether the [work](Error::BudgetSpent) that the evaluations may take was spent: something undecided was not looked at then.
+    /// Whether the [work](mdr_core::contact::Error::BudgetSpent) that the evaluations may take was spent: something undecided was not looked at then.
     pub is_spent: bool,
 }
 
