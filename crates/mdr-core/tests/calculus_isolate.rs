@@ -158,3 +158,28 @@ mod proved_by_intervals {
         assert!(isolation.undecided.iter().any(|(lower, upper)| *lower <= 1 && *upper >= 1));
     }
 }
+
+/// Where a function is not known, cells are left undecided, and those beside them are not.
+#[test]
+fn what_is_not_proved_is_left_and_the_rest_is_found() {
+    let hole = 1.2..1.3;
+    let roots = [0.5, 1.0, 2.0, 7.0];
+    let f = |x: &f64| {
+        let unproved = || Error::Unproved {
+            quantity: mdr_core::contact::Quantity::Integrand,
+            from: x.to_string(),
+            to: x.to_string(),
+            remedy: "nothing is known of a hole",
+        };
+        if hole.contains(x) { Err(unproved()) } else { product(&roots, *x) }
+    };
+    let outside = known(&roots);
+    let test = |lower: &f64, upper: &f64| {
+        let meets = *lower < hole.end && *upper > hole.start;
+        if meets { Ok(Behaviour::Unknown) } else { outside(lower, upper) }
+    };
+    let found = isolate(&0.1, &10.0, 1000, f, test).unwrap();
+    assert_found(&found, &roots);
+    let [(from, to)] = found.undecided[..] else { panic!("{found:?}") };
+    assert!(from <= hole.start && from > 1.1 && to >= hole.end && to < 1.4, "{from} to {to}");
+}

@@ -72,7 +72,8 @@ pub fn isolate<R: Real>(
 }
 
 /// The sign changes of [`isolate`], of which each is given to `found` before the next one is looked for. Where an evaluation or `found`
-/// returns [`Error::BudgetSpent`], all that is left is undecided.
+/// returns [`Error::BudgetSpent`], all that is left is undecided; where one returns [`Error::Unproved`], its cell is, unless f is known at
+/// another place in it.
 ///
 /// # Errors
 /// Errors of [`isolate`], and whatever `found` returns, but for a spent budget.
@@ -109,6 +110,7 @@ pub fn isolate_each<R: Real>(
                     isolation.is_spent = true;
                     isolation.leave(cell);
                 }
+                Err(Error::Unproved { .. }) => isolation.leave(cell),
                 halves => next.extend(halves?.into_iter().flatten()),
             }
         }
@@ -162,17 +164,26 @@ fn is_narrow<R: Real>(lower: &R, upper: &R) -> bool {
     (upper.clone() - lower).midpoint() <= (lower.unit_roundoff().sqrt() * lower).midpoint()
 }
 
-/// A sample at the geometric mean, or slightly beside it if the function is exactly zero there.
+/// A sample at the geometric mean; slightly beside it if the function is exactly zero there, and half-way to an end if it is not known.
 fn between<R: Real>(
     lower: &Sample<R>,
     upper: &Sample<R>,
     mut sample: impl FnMut(R) -> Result<Sample<R>>,
 ) -> Result<Sample<R>> {
-    let middle = sample(geometric_mean(&lower.x, &upper.x))?;
-    if middle.agrees(&middle) {
-        return Ok(middle);
+    let middle = geometric_mean(&lower.x, &upper.x);
+    let at_middle = match sample(middle.clone()) {
+        Err(Error::Unproved { .. }) => {
+            return match sample(geometric_mean(&middle, &upper.x)) {
+                Err(Error::Unproved { .. }) => sample(geometric_mean(&lower.x, &middle)),
+                at_last => at_last,
+            };
+        }
+        at_middle => at_middle?,
+    };
+    if at_middle.agrees(&at_middle) {
+        return Ok(at_middle);
     }
-    sample((0..5).fold(upper.x.clone(), |x, _| geometric_mean(&middle.x, &x)))
+    sample((0..5).fold(upper.x.clone(), |x, _| geometric_mean(&middle, &x)))
 }
 
 /// Sorts intervals and joins those that touch.

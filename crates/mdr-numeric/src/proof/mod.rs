@@ -135,6 +135,7 @@ impl EnclosedCurve {
             let around = (gap.before.clone(), gap.after.clone());
             match self.gap(gap, &mut found) {
                 Err(Error::BudgetSpent { .. }) => found.leave(around),
+                Err(Error::Unproved { .. }) => found.undecided.push(around),
                 looked => looked?,
             }
         }
@@ -174,6 +175,10 @@ impl EnclosedCurve {
         let isolation = match isolation {
             Err(Error::BudgetSpent { .. }) => {
                 found.leave((lower.clone(), upper.clone()));
+                return Ok(());
+            }
+            Err(Error::Unproved { .. }) => {
+                found.undecided.push((lower.clone(), upper.clone()));
                 return Ok(());
             }
             isolation => isolation?,
