@@ -27,7 +27,7 @@ pub(super) fn evaluate<R: Special, P: ClosedForm<R>>(
     rescaled(profile, x, degree, &formula)
 }
 
-/// Not compiled anew for each formula.
+/// The formula at another scale; compiled once for all formulas of a profile.
 #[cold]
 fn rescaled<R: Special, P: ClosedForm<R>>(profile: &P, x: &R, degree: i64, formula: &dyn Fn(&P, &R) -> R) -> Result<R> {
     let k = (x.ln().approx() / std::f64::consts::LN_2).floor() as i64;

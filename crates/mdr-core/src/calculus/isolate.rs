@@ -26,8 +26,8 @@ pub struct Isolation<R> {
     pub brackets: Vec<Bracket<R>>,
     /// The decided cells, ascending, each with the function at its ends: opposite signs around one zero, one sign without any.
     pub cells: Vec<[Sample<R>; 2]>,
-    /// Intervals that may contain further zeros, ascending: double zeros, pairs closer than √u relative to x, and cells
-    /// left when the budget is spent. Outside of them the brackets are proved to contain all zeros, one each.
+    /// Intervals that may contain further zeros, ascending: double zeros, pairs closer than √u relative to x, cells
+    /// in which f is not proved, and those left when the budget is spent. Outside of them the brackets are proved to contain all zeros, one each.
     pub undecided: Vec<(R, R)>,
     /// Evaluations of the function.
     pub evaluations: usize,
@@ -72,11 +72,11 @@ pub fn isolate<R: Real>(
 }
 
 /// The sign changes of [`isolate`], of which each is given to `found` before the next one is looked for. Where an evaluation or `found`
-/// returns [`Error::BudgetSpent`], all that is left is undecided; where one returns [`Error::Unproved`], its cell is, unless f is known at
-/// another place in it.
+/// returns [`Error::BudgetSpent`], all that is left is undecided. Where the test or `found` returns [`Error::Unproved`], or f does in
+/// the middle of a cell and half-way to both of its ends, that cell is undecided, and the others are still looked at.
 ///
 /// # Errors
-/// Errors of [`isolate`], and whatever `found` returns, but for a spent budget.
+/// Errors of [`isolate`], and whatever `found` returns, but for these two.
 pub fn isolate_each<R: Real>(
     lower: &R,
     upper: &R,
@@ -171,19 +171,16 @@ fn between<R: Real>(
     mut sample: impl FnMut(R) -> Result<Sample<R>>,
 ) -> Result<Sample<R>> {
     let middle = geometric_mean(&lower.x, &upper.x);
-    let at_middle = match sample(middle.clone()) {
-        Err(Error::Unproved { .. }) => {
-            return match sample(geometric_mean(&middle, &upper.x)) {
-                Err(Error::Unproved { .. }) => sample(geometric_mean(&lower.x, &middle)),
-                at_last => at_last,
-            };
+    match sample(middle.clone()) {
+        Err(Error::Unproved { .. }) => match sample(geometric_mean(&middle, &upper.x)) {
+            Err(Error::Unproved { .. }) => sample(geometric_mean(&lower.x, &middle)),
+            at_quarter => at_quarter,
+        },
+        Ok(at_middle) if !at_middle.agrees(&at_middle) => {
+            sample((0..5).fold(upper.x.clone(), |x, _| geometric_mean(&middle, &x)))
         }
-        at_middle => at_middle?,
-    };
-    if at_middle.agrees(&at_middle) {
-        return Ok(at_middle);
+        at_middle => at_middle,
     }
-    sample((0..5).fold(upper.x.clone(), |x, _| geometric_mean(&middle, &x)))
 }
 
 /// Sorts intervals and joins those that touch.

@@ -83,7 +83,7 @@ impl Budget {
         self.spent.load(Ordering::Relaxed)
     }
 
-    /// What is done within it with half as much again in reserve, for what begins after that.
+    /// Does a part of the work with half as much again kept in reserve, so that something is left for what follows it.
     ///
     /// ```
     /// use mdr_core::contact::Budget;

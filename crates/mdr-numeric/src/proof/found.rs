@@ -1,6 +1,6 @@
 //! What a proof of all folds found, and what it left undecided.
 
-use mdr_core::contact::Fold;
+use mdr_core::contact::{Error, Fold, Result};
 use mdr_core::number::Interval;
 use rug::Float;
 
@@ -18,13 +18,13 @@ pub struct ProvedFolds {
     /// The radius is somewhere in its enclosure; indentation and force are unbounded.
     pub poles: Vec<Fold<Interval>>,
     /// Parts of the range that may contain further folds: around kinks without known bounds, where two folds nearly
-    /// merge, and cells left when the budget is spent.
+    /// merge, cells in which g is not proved, and those left when the budget is spent.
     pub undecided: Vec<(Float, Float)>,
     /// The decided parts of the range, ascending, and how the controlled quantity behaves on each.
     pub cells: Vec<ProvedCell>,
     /// Evaluations of the tangency condition.
     pub evaluations: usize,
-    /// Whether the [work](mdr_core::contact::Error::BudgetSpent) that the evaluations may take was spent: something undecided was not looked at then.
+    /// Whether the [work](Error::BudgetSpent) that the evaluations may take was spent: something undecided was not looked at then.
     pub is_spent: bool,
 }
 
@@ -35,10 +35,18 @@ impl ProvedFolds {
         ProvedFolds { range, folds, poles, undecided, cells, evaluations: 0, is_spent: false }
     }
 
-    /// A part that was not looked at, because the work was spent.
-    pub(super) fn leave(&mut self, part: (Float, Float)) {
-        self.is_spent = true;
+    /// Leaves a part undecided where the error says that the work was spent or that something is not proved there.
+    ///
+    /// # Errors
+    /// Any other error.
+    pub(super) fn leave(&mut self, part: (Float, Float), error: Error) -> Result<()> {
+        match error {
+            Error::BudgetSpent { .. } => self.is_spent = true,
+            Error::Unproved { .. } => {}
+            error => return Err(error),
+        }
         self.undecided.push(part);
+        Ok(())
     }
 
     /// Whether the folds are proved to be all in the range.

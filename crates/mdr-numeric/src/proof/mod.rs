@@ -133,11 +133,7 @@ impl EnclosedCurve {
             self.smooth_part(&from, &gap.before, budget, &mut found)?;
             from = gap.after.clone();
             let around = (gap.before.clone(), gap.after.clone());
-            match self.gap(gap, &mut found) {
-                Err(Error::BudgetSpent { .. }) => found.leave(around),
-                Err(Error::Unproved { .. }) => found.undecided.push(around),
-                looked => looked?,
-            }
+            self.gap(gap, &mut found).or_else(|error| found.leave(around, error))?;
         }
         match end {
             Some(end) if from < end => {
@@ -173,15 +169,8 @@ impl EnclosedCurve {
             Ok(())
         });
         let isolation = match isolation {
-            Err(Error::BudgetSpent { .. }) => {
-                found.leave((lower.clone(), upper.clone()));
-                return Ok(());
-            }
-            Err(Error::Unproved { .. }) => {
-                found.undecided.push((lower.clone(), upper.clone()));
-                return Ok(());
-            }
-            isolation => isolation?,
+            Err(error) => return found.leave((lower.clone(), upper.clone()), error),
+            Ok(isolation) => isolation,
         };
         folds.sort_by(|one, other| order(&one.contact_radius, &other.contact_radius));
         found.folds.extend(folds);

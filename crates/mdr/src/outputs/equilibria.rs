@@ -119,7 +119,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
         let Some(folds) = certified.fold_proof()?.filter(|folds| folds.complete.proved) else {
-            return Ok(some(certified, self.at)?.map(Output::Equilibria));
+            return Ok(proved_in_part(certified, self.at)?.map(Output::Equilibria));
         };
         let list = match proved_at(certified, folds, self.at)? {
             Some(items) => List::new(Promise::Certified, items).complete(complete(folds)),
@@ -190,12 +190,12 @@ fn complete(folds: &FoldProof) -> Completeness {
     Completeness { why, ..folds.complete.clone() }
 }
 
-/// The equilibria at radii where the folds are proved, of a proof whose budget ended; `None` if a search finds more of them.
+/// The equilibria at radii where the folds are proved, of a proof that leaves other radii undecided; `None` if a search finds more of them.
 ///
 /// # Errors
 /// A value out of its domain; errors of the transform and of the search.
 #[cfg(feature = "mp")]
-fn some(certified: &Certified<'_>, values: &[Literal]) -> Result<Option<List<AtValue<Equilibrium>>>> {
+fn proved_in_part(certified: &Certified<'_>, values: &[Literal]) -> Result<Option<List<AtValue<Equilibrium>>>> {
     let Some(folds) = certified.some_folds()? else { return Ok(None) };
     let Some(items) = proved_at(certified, folds, values)? else { return Ok(None) };
     let searched = in_doubles_at(certified, values)?;
@@ -224,9 +224,9 @@ fn proved_at(
         let admissibility = certified.admissibility()?;
         let at = |literal: &Literal| {
             let value = enclosed.value.number(literal);
+            let found = parts.iter().map(|branches| branches.equilibria(&value)).collect::<Result<Vec<_>>>()?;
             let mut states = Vec::new();
-            for state in parts.iter().map(|branches| branches.equilibria(&value)).collect::<Result<Vec<_>>>()?.concat()
-            {
+            for state in found.into_iter().flatten() {
                 if limits.map_or(Ok(true), |limits| {
                     is_within(&enclosed.value.contact_radius(&state.contact_radius), limits)
                 })? {

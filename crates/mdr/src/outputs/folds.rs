@@ -118,7 +118,10 @@ impl<'w> IsRoom<'w> for Room<'w> {
 
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        let folds = certified.fold_proof()?.map_or_else(|| certified.some_folds(), |folds| Ok(Some(folds)))?;
+        let folds = match certified.fold_proof()? {
+            None => certified.some_folds()?,
+            folds => folds,
+        };
         folds.map(|folds| proved(certified, folds).map(Output::Folds)).transpose()
     }
 

@@ -133,11 +133,9 @@ impl<'s> Certified<'s> {
     /// A number that no double holds; errors of the search.
     pub(crate) fn plain(&self) -> Result<&Search<'s>> {
         once(&self.plain, || {
-            let is_open = |folds: &FoldProof| folds.complete.undecided;
-            let is_open = self.folds.get().is_some_and(|folds| match folds {
-                Ok(folds) => folds.as_ref().is_none_or(is_open),
-                Err(_) => true,
-            });
+            let is_closed =
+                |folds: &Result<_>| matches!(folds, Ok(Some(FoldProof { complete, .. })) if !complete.undecided);
+            let is_open = self.folds.get().is_some_and(|folds| !is_closed(folds));
             Ok(self.search()?.in_units(self.counts)?.knowing(self.admissibility()?, self.remark(), is_open))
         })
     }
@@ -221,7 +219,7 @@ impl<'s> Certified<'s> {
         Ok(self.proof_of_folds()?.filter(|folds| is_closed || folds.complete.proved))
     }
 
-    /// The folds that were proved before the budget ended, where a search finds no more of them.
+    /// The folds of a proof that may leave something undecided, as where its budget ended, unless a search finds more of them.
     ///
     /// # Errors
     /// The errors of [`fold_proof`](Certified::fold_proof); errors of the search.

@@ -105,8 +105,8 @@ pub(crate) fn as_far_as_known<T: Numbers<Enclosure>>(digits: u32, records: T) ->
         round(&known(&records.rows()), digits, &mut decided);
         decided
     };
-    let fewer = (digits.saturating_sub(FEWER).max(1)..digits).rev();
-    let all = std::iter::once(digits).chain(fewer).map(at).find(|decided| decided.iter().all(Option::is_some));
+    let least = digits.saturating_sub(FEWER).max(1);
+    let all = (least..=digits).rev().map(at).find(|decided| decided.iter().all(Option::is_some));
     let decided = all.unwrap_or_else(|| at(digits));
     written(
         records,
