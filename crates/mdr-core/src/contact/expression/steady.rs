@@ -1,11 +1,15 @@
-//! Differences such as exp(u) − 1 that cancel where u is small, computed without the cancellation.
+//! Differences such as exp(u) − 1 that cancel where u is small, computed without the cancellation, and logarithms such as ln(1 + exp(u)) whose
+//! argument overflows where u is large, without the overflow.
+
+#[cfg(feature = "mp")]
+use std::cmp::Ordering;
 
 use super::{Function, Node, Operator};
 #[cfg(feature = "mp")]
-use crate::number::{Analytic, Interval};
+use crate::number::{Analytic, Interval, Precision, Real};
 use crate::number::{Lift, Special};
 
-/// A difference f(u) − f(0) of a function whose form allows another way to compute it, or ln(1 + u).
+/// A difference f(u) − f(0) of a function whose form allows another way to compute it, or a logarithm of 1 + u, 1 + exp(u) or cosh u.
 pub(super) struct Departure<'a, R> {
     kind: Kind<'a, R>,
     u: &'a Node<R>,
@@ -20,6 +24,10 @@ enum Kind<'a, R> {
     Cosine,
     HyperbolicCosine,
     Logarithm,
+    /// ln(1 + exp(u)), a smooth max(0, u).
+    Softplus,
+    /// ln(cosh u), a smooth |u| − ln 2.
+    LogarithmOfCosine,
     /// √(b² + u) − b.
     Root(&'a Node<R>),
 }
@@ -29,8 +37,14 @@ impl<R: Special> Node<R> {
     pub(super) fn departure(&self) -> Option<Departure<'_, R>> {
         match self {
             Node::Function(Function::Ln, inner) => {
-                let (_, u, falls) = inner.parts_of_sum().find(|(one, ..)| one.is_one())?;
-                Some(Departure { kind: Kind::Logarithm, u, falls, is_reversed: false })
+                let of = |kind, u, falls| Some(Departure { kind, u, falls, is_reversed: false });
+                if let Node::Function(Function::Cosh, u) = &**inner {
+                    return of(Kind::LogarithmOfCosine, u, false);
+                }
+                match inner.parts_of_sum().find(|(one, ..)| one.is_one())? {
+                    (_, Node::Function(Function::Exp, u), false) => of(Kind::Softplus, u, false),
+                    (_, u, falls) => of(Kind::Logarithm, u, falls),
+                }
             }
             Node::Operation(Operator::Subtract, a, b) => {
                 a.less(b).or_else(|| b.less(a).map(|difference| Departure { is_reversed: true, ..difference }))
@@ -109,6 +123,13 @@ impl<R: Special> Kind<'_, R> {
             Kind::HyperbolicCosine => u.cosh() - one,
             Kind::Logarithm if is_small => (u.clone() / (u.lit(2) + u)).atanh().times(2),
             Kind::Logarithm => (one + u).ln(),
+            Kind::Softplus if u.value_of() > u.value_of().lit(0) => (-u.clone()).exp().ln_1p() + u,
+            Kind::Softplus => u.exp().ln_1p(),
+            Kind::LogarithmOfCosine if is_small => u.sinh().square().ln_1p().over(2),
+            Kind::LogarithmOfCosine => {
+                let size = u.abs();
+                (size.clone().times(-2)).exp().ln_1p() - one.times(2).ln() + size
+            }
             Kind::Root(base) => {
                 let base = base.value(r);
                 let square = base.square();
@@ -170,6 +191,21 @@ impl Kind<'_, Interval> {
             Kind::HyperbolicCosine => u.sinh_cosh().1.minus(&one),
             Kind::Logarithm if is_small => u.quotient(&u.integer(2).plus(u))?.atanh()?.multiplied(2),
             Kind::Logarithm => one.plus(u).ln()?,
+            Kind::Softplus if u.side() == Some(Ordering::Greater) => {
+                Kind::Logarithm.analytic(&u.negated().exp(), r)?.plus(u)
+            }
+            Kind::Softplus => Kind::Logarithm.analytic(&u.exp(), r)?,
+            Kind::LogarithmOfCosine if is_small => Kind::Logarithm.analytic(&u.sinh_cosh().0.squared(), r)?.divided(2),
+            Kind::LogarithmOfCosine => {
+                let size = match u.side() {
+                    Some(Ordering::Greater) => u.clone(),
+                    Some(_) => u.negated(),
+                    None => return u.sinh_cosh().1.ln(),
+                };
+                let rest = Kind::Logarithm.analytic(&size.multiplied(-2).exp(), r)?;
+                let two = u.constant(&Real::ln(&Interval::from_int(Precision::new(u.bits()), 2)));
+                rest.minus(&two).plus(&size)
+            }
             Kind::Root(base) => {
                 let base = base.analytic(r)?;
                 let square = base.squared();
@@ -190,7 +226,9 @@ mod tests {
     use super::super::{Expression, Profile};
     use crate::number::{DoubleInterval, Dual, Euler, Interval, Precision, Real, Rectangle};
 
-    const FORMS: [&str; 12] = [
+    const FORMS: [&str; 14] = [
+        "ln(cosh(r))",
+        "ln(1 + exp(-r))",
         "exp(r^2) - 1",
         "1 - exp(-r^2)",
         "3*(1 - cos(r))",
@@ -248,6 +286,33 @@ mod tests {
                     assert!(widening < 4.0, "{text} at {r} + {width}: {widening}");
                 }
             }
+        }
+    }
+
+    /// ln(1 + exp(±u)) and ln(cosh u) at u = 5000, where exp(u) is no double: u, 0 and u − ln 2, up to exp(−5000).
+    #[test]
+    fn large_exponentials_do_not_overflow() {
+        let ln_2 = std::f64::consts::LN_2;
+        for (text, value, slope) in [
+            ("ln(1 + exp(1e4*r))", 5000.0, 1e4),
+            ("ln(exp(-1e4*r) + 1)", 0.0, 0.0),
+            ("ln(cosh(1e4*r))", 5000.0 - ln_2, 1e4),
+            ("ln(cosh(-1e4*r))", 5000.0 - ln_2, 1e4),
+        ] {
+            let formula: Expression = text.parse().expect("a formula");
+            let profile = formula.bind::<f64>((), &BTreeMap::new()).expect("bound");
+            let f = profile.height(&Dual::variable(0.5));
+            assert!((f.value - value).abs() < 1e-12 && f.slope == slope, "{text}: {f:?}");
+            let root = formula.with_values(&BTreeMap::new()).expect("no parameters");
+            let tree = root.bound::<Interval>(Precision::new(64));
+            let cell = DoubleInterval::point(0.5).hull(&DoubleInterval::point(0.5001));
+            let over = tree.analytic(&Euler::variable(&cell, 1)).expect("defined");
+            let rise = 0.5 * slope;
+            assert!(over.value().lower() <= value && over.value().upper() >= value, "{text}");
+            assert!(over.derivative(1).lower() <= rise && over.derivative(1).upper() < rise + 2.0, "{text}");
+            let set = Rectangle::new(cell, DoubleInterval::point(0.0).hull(&DoubleInterval::point(0.001)));
+            let image = tree.analytic(&set).expect("analytic");
+            assert!(image.re().lower() <= value && image.re().upper() >= value, "{text}");
         }
     }
 
