@@ -9,6 +9,7 @@ mod enclosed;
 mod fields;
 mod interruption;
 mod media;
+mod onsets;
 mod path;
 mod path_energy;
 mod pinned;

@@ -16,7 +16,7 @@ pub use counted::{Budget, CountingTransform, EvaluationCounter, Evaluations};
 pub use error::{Error, Quantity, Result};
 #[cfg(feature = "mp")]
 pub use expression::{
-    Breaks, CutFormula, EnclosedFormula, FormulaPart, FormulaShape, LocalPolynomial, Lowest, LowestRing,
+    Breaks, CutFormula, EnclosedFormula, FormulaPart, FormulaShape, LocalPolynomial, Lowest, LowestRing, Onset, Onsets,
 };
 pub use expression::{Expression, ExpressionError, ExpressionProfile};
 pub use kink::{Kink, Slopes};

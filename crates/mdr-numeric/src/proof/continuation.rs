@@ -13,6 +13,8 @@
 //! up to x is as x^q, on a graded half-space with q = 1 + k and on a Winkler foundation with q = 2, g is the mean of f + Df/q with the weights
 //! q sinθ cos^(q − 1)θ dθ.
 //!
+//! Of a [power that begins](super::onsets) at b the term is another one.
+//!
 //! A profile with many kinks, as a table, has a term for the last few of them only. There f itself stands for Δ at the first of these, up to
 //! which radii are [distant](super::distant).
 
@@ -23,6 +25,7 @@ use mdr_core::contact::EnclosedFormula;
 use mdr_core::number::{Analytic, Euler, Interval, Precision, Real, Rectangle};
 
 use super::distant::Distant;
+use super::onsets::Onsets;
 use crate::medium::Medium;
 
 /// Cells of angles, of equal weight.
@@ -61,6 +64,8 @@ pub struct Continuation {
     root: u32,
     /// Of many kinks.
     distant: Option<Distant>,
+    /// The powers that begin at kinks.
+    onsets: Option<Box<Onsets>>,
     /// The heights that were evaluated, counted over intervals of doubles.
     heights: AtomicU64,
 }
@@ -82,7 +87,8 @@ impl Continuation {
         let root = if root > LARGEST_ROOT { 1 } else { root };
         let order = Interval::from_int(Precision::new(BOUND_BITS), 1);
         let (cells, heights) = (cells(|share| share.square()), AtomicU64::default());
-        let mut all = Continuation { terms, breaks, cells, order, root, distant: None, heights };
+        let onsets = Onsets::of(&terms, &breaks).map(Box::new);
+        let mut all = Continuation { terms, breaks, cells, order, root, distant: None, onsets, heights };
         if all.breaks.len() >= MANY {
             all.distant = Distant::new(&all.breaks, |radii, beyond| all.slope_within(radii, beyond));
         }
@@ -131,7 +137,8 @@ impl Continuation {
 
     /// The heights that were evaluated so far, counted over intervals.
     pub(super) fn work(&self) -> u64 {
-        self.heights.load(Ordering::Relaxed) / <Interval as Analytic>::WORK
+        let rest = self.onsets.as_ref().map_or(0, |onsets| onsets.work());
+        self.heights.load(Ordering::Relaxed) / <Interval as Analytic>::WORK + rest
     }
 
     /// Counts a height over a set.
@@ -155,6 +162,9 @@ impl Continuation {
 
     /// f after so many kinks.
     pub(super) fn height<T: Analytic>(&self, r: &T, beyond: usize) -> Option<T> {
+        if let Some(onsets) = &self.onsets {
+            return onsets.height(r, beyond);
+        }
         self.count::<T>();
         let values = self.terms.iter().map(|term| term.part(self.index(term, beyond))?.at(r));
         sum(values)
@@ -162,6 +172,12 @@ impl Continuation {
 
     /// f after so many kinks with its Euler derivatives, over a set of radii that may hold the axis.
     pub(super) fn heights<T: Analytic>(&self, r: &T, order: usize, beyond: usize) -> Option<Euler<T>> {
+        if order == 0
+            && beyond > 0
+            && let Some(onsets) = &self.onsets
+        {
+            return Euler::from_derivatives(vec![onsets.height(r, beyond)?]);
+        }
         self.count::<T>();
         let values = self.terms.iter().map(|term| term.part(self.index(term, beyond))?.derivatives_at(r, order));
         sum(values)
@@ -196,6 +212,9 @@ impl Continuation {
 
     /// Bounds of g over an interval of real radii that may begin at 0 and may hold kinks; `None` where f is not defined.
     pub fn range(&self, x: &Interval) -> Option<Interval> {
+        if let Some(onsets) = self.onsets.as_ref().filter(|_| self.is_on_half_space()) {
+            return onsets.range(x);
+        }
         let x = x.rounded(Precision::new(BOUND_BITS));
         let mut means = Vec::new();
         for [sine, _] in &self.cells {
@@ -248,6 +267,10 @@ impl Continuation {
             }))?,
         };
         for (kink, leg) in legs.all() {
+            if let Some(begun) = self.onsets.as_ref().and_then(|onsets| onsets.at(kink)) {
+                g = g.plus(&begun.g(x, leg)?);
+                continue;
+            }
             let [i, _] = self.beyond(kink, leg, legs.base)?;
             g = g.plus(&x.product(leg).product(&i));
         }

@@ -22,6 +22,7 @@ mod fields;
 mod found;
 mod gaps;
 mod kinks;
+mod onsets;
 mod overlap;
 mod pull_off;
 mod range;

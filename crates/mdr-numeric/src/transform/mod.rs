@@ -28,6 +28,8 @@ mod weight;
 mod weighted;
 
 #[cfg(feature = "mp")]
+pub(crate) use enclosed::onset;
+#[cfg(feature = "mp")]
 pub use enclosed::{Enclosed, EnclosedWithSlopes};
 pub use line::LineLoad;
 #[cfg(feature = "mp")]

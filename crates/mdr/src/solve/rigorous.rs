@@ -29,7 +29,7 @@ pub(crate) struct Formulas(Vec<Term>);
 /// A term of a profile.
 enum Term {
     /// With the values of its parameters, and its kinks.
-    Formula(Expression, BTreeMap<String, Literal>, Breaks),
+    Formula(Expression, BTreeMap<String, Literal>, Box<Breaks>),
     Table(Table),
 }
 
@@ -64,12 +64,12 @@ fn collect(profile: &Profile, terms: &mut Vec<Term>) -> std::result::Result<bool
     match profile {
         Profile::Formula(formula) => {
             let (parameters, breaks) = (formula.parameters.clone(), formula.breaks.clone());
-            terms.push(Term::Formula(formula.expression.clone(), parameters, breaks));
+            terms.push(Term::Formula(formula.expression.clone(), parameters, Box::new(breaks)));
         }
         Profile::Shape(shape) => {
             let (formula, values) = shape.formula()?;
             let breaks = formula.breaks(&values)?;
-            terms.push(Term::Formula(formula, values, breaks));
+            terms.push(Term::Formula(formula, values, Box::new(breaks)));
         }
         Profile::Table(measured) => terms.push(Term::Table(measured.table.clone())),
         Profile::Sum(others) => {

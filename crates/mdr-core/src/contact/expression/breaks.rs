@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 
 use rug::Float;
 
+use super::onset::Split;
 use super::switch::MaybeZero;
 use super::{Constant, Expression, ExpressionError, ExpressionProfile, Function, Node, Operator};
 use crate::calculus::roots::{self, Bracket};
@@ -43,6 +44,8 @@ pub struct Breaks {
     outer: Option<Break>,
     /// The radius up to which all of them are known; `None` if that is everywhere.
     known_to: Option<f64>,
+    /// Powers that begin at radii, taken out of the formula.
+    split: Option<Box<Split>>,
 }
 
 /// A zero of a part of a formula.
@@ -100,6 +103,7 @@ impl Expression {
         breaks.cut_at_poles(&root).map_err(|radius| {
             refused(format!("the formula jumps at r = {radius}; the height of a profile is continuous"))
         })?;
+        breaks.split = root.split()?.map(Box::new);
         Ok(breaks)
     }
 }
@@ -113,6 +117,11 @@ impl Breaks {
     /// The radii of the kinks to so many bits, each with the interval in which it is the only zero of its part.
     pub(super) fn places(&self, bits: u32) -> Vec<(Float, Interval)> {
         self.kinks.iter().map(|kink| (kink.sharpened(bits), enclosing(kink.within, BITS))).collect()
+    }
+
+    /// Powers that begin at radii, and the rest of the formula.
+    pub(super) fn split(&self) -> Option<&Split> {
+        self.split.as_deref()
     }
 
     /// The radius up to which all of them are known; `None` if that is everywhere.

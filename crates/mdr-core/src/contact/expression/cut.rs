@@ -36,6 +36,7 @@ impl EnclosedFormula {
             jumps: vec![Some(jump)],
             outer: self.outer.clone(),
             known_to: self.known_to.clone(),
+            onsets: None,
         };
         Some(CutFormula { inside, outside, bend })
     }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use rug::Float;
 
 use super::breaks::Breaks;
+use super::onset::Onsets;
 use super::steady::over_exponential;
 use super::switch::{Switch, is_positive};
 use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
@@ -47,6 +48,7 @@ pub struct EnclosedFormula {
     pub(super) jumps: Vec<Option<Vec<Interval>>>,
     pub(super) outer: Option<Interval>,
     pub(super) known_to: Option<Float>,
+    pub(super) onsets: Option<Arc<Onsets>>,
 }
 
 /// A formula between two breaks, and its analytic continuation.
@@ -77,7 +79,7 @@ impl Expression {
 }
 
 impl EnclosedFormula {
-    fn new(root: &Node<Constant>, breaks: &Breaks, precision: Precision) -> Self {
+    pub(super) fn new(root: &Node<Constant>, breaks: &Breaks, precision: Precision) -> Self {
         let bits = precision.bits();
         let fine = Precision::new((bits + BEYOND_SIGNS).max(SIGN_BITS));
         let tree: Node<Interval> = root.bound(fine);
@@ -119,7 +121,10 @@ impl EnclosedFormula {
             let jump = switch.and_then(|switch| tree.sides(&Euler::variable(&tight, 2), &switch)?.jump());
             jumps.push(jump);
         }
-        EnclosedFormula { parts, breaks: located, jumps, outer, known_to: breaks.known_to() }
+        let known_to = breaks.known_to();
+        let whole = EnclosedFormula { parts, breaks: located, jumps, outer, known_to, onsets: None };
+        let onsets = breaks.split().and_then(|split| split.enclosed(&whole, precision)).map(Arc::new);
+        EnclosedFormula { onsets, ..whole }
     }
 
     /// Enclosures of the radii where the formula is not smooth, ascending.
@@ -156,6 +161,12 @@ impl EnclosedFormula {
             jump[1] = jump[1].lit(0);
         }
         self
+    }
+
+    /// The formula as a sum of powers that begin at radii, such as max(0, r − b)^1.5, and of a rest; `None` without such powers, or if one
+    /// stands elsewhere than in a sum.
+    pub fn onsets(&self) -> Option<&Onsets> {
+        self.onsets.as_deref()
     }
 
     /// The radius where the formula ends.
@@ -272,7 +283,7 @@ impl Node<Interval> {
     }
 
     /// The formula with its constant parts evaluated.
-    fn folded(&self) -> Node<Interval> {
+    pub(super) fn folded(&self) -> Node<Interval> {
         if self.is_constant() {
             let any = self.any_constant();
             return Node::Constant(self.value(&any));

@@ -14,6 +14,8 @@ mod enclosed;
 mod jet;
 #[cfg(feature = "mp")]
 mod lowest;
+#[cfg(feature = "mp")]
+mod onset;
 mod parse;
 #[cfg(feature = "mp")]
 mod pieces;
@@ -34,6 +36,8 @@ pub use cut::CutFormula;
 pub use enclosed::{EnclosedFormula, FormulaPart};
 #[cfg(feature = "mp")]
 pub use lowest::{FormulaShape, Lowest, LowestRing};
+#[cfg(feature = "mp")]
+pub use onset::{Onset, Onsets};
 #[cfg(feature = "mp")]
 pub use pieces::LocalPolynomial;
 

@@ -37,7 +37,7 @@ impl EnclosedFormula {
         let parts = polynomials.iter().map(|polynomial| Some(polynomial.part())).collect();
         let breaks: Vec<Interval> = polynomials.iter().skip(1).map(|polynomial| polynomial.start.clone()).collect();
         let jumps = vec![None; breaks.len()];
-        EnclosedFormula { parts, breaks, jumps, outer: Some(end), known_to: None }
+        EnclosedFormula { parts, breaks, jumps, outer: Some(end), known_to: None, onsets: None }
     }
 }
 

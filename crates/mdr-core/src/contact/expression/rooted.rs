@@ -74,7 +74,7 @@ impl Node<Constant> {
     }
 }
 
-fn literal(value: &Rational) -> Option<Node<Constant>> {
+pub(super) fn literal(value: &Rational) -> Option<Node<Constant>> {
     Some(Node::Constant(Constant::Literal(value.to_string().parse::<Literal>().ok()?)))
 }
 

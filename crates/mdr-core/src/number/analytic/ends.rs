@@ -190,6 +190,9 @@ impl<I: Ends> Analytic for I {
     fn is_bounded(&self) -> bool {
         Real::is_finite(self)
     }
+    fn positive_part(&self) -> Self {
+        self.greater(&Analytic::integer(self, 0))
+    }
     fn side(&self) -> Option<Ordering> {
         match self.signs() {
             [Ordering::Greater | Ordering::Equal, _] => Some(Ordering::Greater),

@@ -96,6 +96,10 @@ pub trait Analytic: Clone {
     fn side(&self) -> Option<Ordering>;
     /// Whether every part is certainly within (−1/2, 1/2).
     fn is_small(&self) -> bool;
+    /// max(0, x) over a real set. A complex set is its own: what is x beyond 0 is continued.
+    fn positive_part(&self) -> Self {
+        self.clone()
+    }
 
     /// Enclosures over a set that may hold 0 of functions which take conjugate values at conjugate points: from their `values` on the boundary
     /// of a complex set around it, by the maximum principle for real and imaginary parts. On that set and its conjugate together they must be

@@ -69,7 +69,8 @@ impl Enclosed {
         let kernel = Kernel { part: &inside, x, order, heights: &self.heights };
         let parabola = (bend.rounded(x.ctx()) * x.square()).times(4);
         let within = enclose(&kernel, [&Float::new(BOUND_BITS), &c], &kernel.goal(&c, &parabola, span)?).ok()?;
-        let beyond = Enclosed { formula: Arc::new(outside), kept: Arc::new(Recent::up_to(KEPT)), ..self.clone() };
+        let (formula, kept, onsets) = (Arc::new(outside), Arc::new(Recent::up_to(KEPT)), Arc::default());
+        let beyond = Enclosed { formula, kept, onsets, ..self.clone() };
         let beyond = beyond.integrals(x, order).ok()?;
         let sum = |(within, beyond): (Interval, Interval)| within.rounded(x.ctx()) + beyond + &parabola;
         let sums: Vec<Interval> = within.into_iter().zip(beyond).map(sum).collect();

@@ -11,6 +11,8 @@
 //! b²N'' = ∫(D³f − D²f) dθ, and the mean of N against a reference L is (2/π)√(1 − b²/L²) ∫ f/(1 − (b/L)² sin²θ) dθ.
 
 mod cut;
+mod kink;
+pub(crate) mod onset;
 mod ray;
 mod slopes;
 mod span;
@@ -19,7 +21,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use mdr_core::calculus::enclose::{BOUND_BITS, Goal, Integrand, enclose};
-use mdr_core::contact::{EnclosedFormula, Error, Kink, Quantity, Result, Slopes, Transform};
+use mdr_core::contact::{EnclosedFormula, Error, Kink, Onset, Onsets, Quantity, Result, Transform};
 use mdr_core::number::{Analytic, Interval, Precision, Real, Special};
 use rug::Float;
 
@@ -69,6 +71,8 @@ pub struct Enclosed {
     kept: Arc<Recent<Kept>>,
     heights: Arc<AtomicU64>,
     cuts: Arc<Cuts>,
+    /// Powers that begin at radii; the formula is the rest of it.
+    onsets: Arc<[Onset]>,
 }
 
 /// The integrals at a radius.
@@ -126,7 +130,11 @@ impl Enclosed {
 
     fn weighing(formula: EnclosedFormula, precision: Precision, weight: Weight<Interval>) -> Self {
         let (kept, heights, cuts) = (Arc::new(Recent::up_to(KEPT)), Arc::default(), Arc::default());
-        Enclosed { formula: Arc::new(formula), weight, precision, kept, heights, cuts }
+        let (formula, onsets) = match (formula.onsets(), &weight) {
+            (Some(Onsets { rest, powers }), Weight::HalfSpace) => (rest.clone(), powers.clone().into()),
+            _ => (formula, Arc::default()),
+        };
+        Enclosed { formula: Arc::new(formula), weight, precision, kept, heights, cuts, onsets }
     }
 
     /// Refuses radii that are not certainly within the formula.
@@ -151,6 +159,7 @@ impl Enclosed {
         let mut values = self.between_breaks(x, order, self.formula.breaks())?;
         self.add_kinks(x, order, &mut values);
         self.narrow_by_cut(x, order, &mut values);
+        self.add_onsets(x, order, &mut values)?;
         if !Span::of(x).is_wide && !values.iter().all(Real::is_finite) {
             return Err(unproved(x, "a kink of the formula is not located"));
         }
@@ -286,36 +295,6 @@ impl Enclosed {
         Some(hull.into_iter().map(|value| value * &length).collect())
     }
 
-    /// Adds the terms of the kinks inside x.
-    fn add_kinks(&self, x: &Interval, order: Order, values: &mut [Interval]) {
-        if order == Order::Value || matches!(self.weight, Weight::Winkler) {
-            return;
-        }
-        for (index, b) in self.formula.breaks().iter().enumerate() {
-            if b.lower() >= x.upper() {
-                break;
-            }
-            let unknown = || Interval::entire(x.ctx());
-            let Some([_, first, second]) = self.formula.jump(index) else {
-                values.iter_mut().for_each(|value| *value = unknown());
-                return;
-            };
-            let zero = first.lit(0);
-            let vanishes = [*first == zero, *first == zero && *second == zero];
-            let b = b.rounded(x.ctx());
-            let factor = self.weight.share_of_kink(x, &b);
-            let terms = [factor.clone() * first, {
-                let slope = self.weight.bend_of_kink(x, &b) * &factor;
-                factor * second + slope * first
-            }];
-            for ((value, term), vanishes) in values.iter_mut().zip(terms).zip(vanishes) {
-                if !vanishes {
-                    *value += &term;
-                }
-            }
-        }
-    }
-
     /// Bounds of g' on an interval of radii that may be wide: with x cosθ = √(x² − b²) at a kink b, where r f' jumps,
     /// g' = ∫ (r f')' dθ + Σ \[r f'\]/√(x² − b²), and with the weights of the medium on others.
     fn slope_by_ranges(&self, x: &Interval) -> Option<Interval> {
@@ -403,7 +382,8 @@ impl Transform<Interval> for Enclosed {
         if let Weight::Winkler = self.weight {
             return Ok(self.integrals(x, Order::Slope)?.swap_remove(0) / x);
         }
-        let ranged = if Span::of(x).is_for_ranges() { self.slope_by_ranges(x) } else { None };
+        let is_for_ranges = Span::of(x).is_for_ranges() && self.onsets.is_empty();
+        let ranged = if is_for_ranges { self.slope_by_ranges(x) } else { None };
         ranged.map_or_else(|| Ok(self.integrals(x, Order::Slope)?.swap_remove(0) / x), Ok)
     }
 
@@ -424,7 +404,7 @@ impl Transform<Interval> for Enclosed {
     }
 
     fn kinks(&self) -> Vec<Interval> {
-        self.formula.breaks().to_vec()
+        self.all_kinks()
     }
 
     fn work(&self) -> u64 {
@@ -432,40 +412,6 @@ impl Transform<Interval> for Enclosed {
     }
 
     fn kink(&self, index: usize, margin: &Interval) -> Result<Option<Kink<Interval>>> {
-        let breaks = self.formula.breaks();
-        let (Some(b), Some(jump)) = (breaks.get(index), self.formula.jump(index)) else { return Ok(None) };
-        let before = |x: &Interval, order| self.between_breaks(x, order, &breaks[..index]);
-        let Ok(value) = before(b, Order::Value) else { return Ok(None) };
-        let [inner, outer] = [b.lit(1) - margin, margin.clone() + b.lit(1)].map(|factor| factor * b);
-        if index > 0 && breaks[index - 1].upper() >= inner.lower()
-            || breaks.get(index + 1).is_some_and(|next| next.lower() <= outer.upper())
-        {
-            return Ok(None);
-        }
-        let (inside, outside) = (inner.hull(b), b.hull(&outer));
-        let value = Some((value[1].clone(), value[0].clone()));
-        if let Weight::Winkler = self.weight {
-            let slope = |part: usize, radii: &Interval| Some(self.formula.part(part)?.slopes(radii)?[1].clone());
-            let slopes = |part, radii| slope(part, radii).map_or_else(Slopes::unknown, Slopes::within);
-            return Ok(Some(Kink { value, inside: slopes(index, &inside), outside: slopes(index + 1, &outside) }));
-        }
-        let mut below = before(&inside, Order::Slope)?;
-        let mut above = self.between_breaks(&outside, Order::Slope, &breaks[..=index])?;
-        for (x, values) in [(&inside, &mut below), (&outside, &mut above)] {
-            let others = Enclosed { formula: Arc::new(self.formula.up_to(index)), ..self.clone() };
-            others.add_kinks(x, Order::Slope, values);
-        }
-        let (below, above) = (below.swap_remove(0), above.swap_remove(0));
-        // T falls to its value at the outer end.
-        let least = self.weight.share_of_kink(&outer, b);
-        let with_jump = (least * &jump[1] + &above) / &outside;
-        let zero = b.lit(0);
-        let outside = match &jump[1] {
-            jump if *jump == zero => Slopes::within(above / &outside),
-            jump if *jump > zero => Slopes::at_least(with_jump),
-            jump if *jump < zero => Slopes::at_most(with_jump),
-            _ => Slopes::unknown(),
-        };
-        Ok(Some(Kink { value, inside: Slopes::within(below / inside), outside }))
+        if self.onsets.is_empty() { self.kink_of_breaks(index, margin) } else { self.kink_among_onsets(index, margin) }
     }
 }
