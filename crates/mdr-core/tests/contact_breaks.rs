@@ -127,6 +127,28 @@ fn switches_at_one_radius() {
     }
 }
 
+/// A switch in the argument of another one has a sign at a kink of the outer one.
+#[test]
+fn switches_within_others() {
+    let precision = Precision::new(100);
+    let (formula, none): (Expression, _) = ("min(r^2/2, 0.05 + abs(r - 0.5))".parse().unwrap(), BTreeMap::new());
+    let enclosed = formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap();
+    // r²/2 = 0.55 − r, the corner of the cone, and r²/2 = r − 0.45 twice.
+    let [first, second, third] = [2.1f64.sqrt() - 1.0, 1.0 - 0.1f64.sqrt(), 1.0 + 0.1f64.sqrt()];
+    let expected = [
+        (first, -first * (1.0 + first)),
+        (0.5, 1.0),
+        (second, second * (second - 1.0)),
+        (third, third * (1.0 - third)),
+    ];
+    assert_eq!(enclosed.breaks().len(), expected.len());
+    for (index, (radius, jump)) in expected.into_iter().enumerate() {
+        let (found, slope) = (&enclosed.breaks()[index], &enclosed.jump(index).expect("known")[1]);
+        assert!((found.approx() - radius).abs() < 1e-15 && found.accuracy_bits() > 90, "{index}: {found}");
+        assert!((slope.approx() - jump).abs() < 1e-14 && slope.accuracy_bits() > 80, "{index}: {slope}");
+    }
+}
+
 /// Of infinitely many kinks the first are found, with the radius up to which they are known.
 #[test]
 fn kinks_without_end() {

@@ -19,8 +19,10 @@ pub(super) struct Switch {
 
 /// The argument u of `abs(u)`, or the difference of those of `min` and `max`.
 struct Argument {
-    /// Over enclosures of its constants.
+    /// Over enclosures of its constants,
     node: Node<Interval>,
+    /// and without the switches in it that have a sign at the break.
+    settled: Node<Interval>,
     /// With its constants as they are written.
     exact: Node<Constant>,
     /// Its sign before the break.
@@ -44,7 +46,7 @@ impl Switch {
             let signs = [is_positive(&node, before)?, is_positive(&node, after)?];
             if signs[0] != signs[1] {
                 if !arguments.iter().any(|known| known.node.is_same(&node)) {
-                    arguments.push(Argument { node, exact, is_positive: signs[0] });
+                    arguments.push(Argument { settled: node.settled(cell), node, exact, is_positive: signs[0] });
                 }
             } else if node.value(cell).contains_zero() {
                 // It may touch zero.
@@ -63,7 +65,7 @@ impl Switch {
 
     /// Whether all arguments change their signs within a tight interval of a cell, and nowhere else in the cell.
     pub(super) fn is_only_within(&self, cell: &Interval, tight: &Interval) -> bool {
-        self.arguments.iter().all(|Argument { node, is_positive: before, .. }| {
+        self.arguments.iter().all(|Argument { settled: node, is_positive: before, .. }| {
             let Some(over) = node.analytic(&Euler::variable(cell, 1)) else { return false };
             let ends = [tight.lower(), tight.upper()].map(|end| is_positive(node, &Interval::point(end.clone())));
             !over.derivative(1).contains_zero() && ends == [Some(*before), Some(!*before)]
@@ -125,6 +127,21 @@ impl Node<Interval> {
             (Node::Function(f, x), Node::Function(g, y)) => f == g && x.is_same(y),
             (Node::Operation(f, a, b), Node::Operation(g, c, d)) => f == g && a.is_same(c) && b.is_same(d),
             _ => false,
+        }
+    }
+
+    /// Without the switches in it whose arguments have a certain sign over a cell of radii.
+    fn settled(&self, cell: &Interval) -> Node<Interval> {
+        if let Some(positive) = self.switch().and_then(|argument| is_positive(&argument, cell)) {
+            return self.switched(positive).settled(cell);
+        }
+        let settled = |x: &Node<Interval>| Box::new(x.settled(cell));
+        match self {
+            Node::Negative(x) => Node::Negative(settled(x)),
+            Node::Power(x, n) => Node::Power(settled(x), *n),
+            Node::Function(function, x) => Node::Function(*function, settled(x)),
+            Node::Operation(operator, a, b) => Node::Operation(*operator, settled(a), settled(b)),
+            other => other.clone(),
         }
     }
 

@@ -61,7 +61,7 @@ impl Begun<'_> {
             derivatives.windows(2).map(|pair| pair[1].plus(&pair[0].scaled(&p))).collect()
         };
         let first = next(&k.derivatives(), 0);
-        let mut values = match self.order {
+        match self.order {
             Order::Value => vec![k.value().clone(), first[0].clone()],
             Order::Slope => next(&first, 1),
             Order::Curvature => {
@@ -69,9 +69,7 @@ impl Begun<'_> {
                 let third = next(&second, 2).swap_remove(0);
                 vec![second[0].clone(), third]
             }
-        };
-        values.truncate(2);
-        values
+        }
     }
 
     fn goal(&self, span: &Span) -> Option<Goal> {
@@ -207,11 +205,11 @@ impl Enclosed {
             let far = Interval::point(y.upper().clone()).rounded(outside.ctx());
             let at_end = factor.clone() * power(&far, onset, 2);
             // y^(e − 3/2) grows from 0, is 1, or falls from infinity.
-            match (exponent >= zero, factor.partial_cmp(&zero)) {
-                (true, _) => Slopes::within(factor * power(&y, onset, 2)),
-                (false, Some(Greater)) => Slopes::at_least(at_end),
-                (false, Some(Less)) => Slopes::at_most(at_end),
-                (false, _) => Slopes::unknown(),
+            match factor.partial_cmp(&zero) {
+                _ if exponent >= zero => Slopes::within(factor * power(&y, onset, 2)),
+                Some(Greater) if exponent < zero => Slopes::at_least(at_end),
+                Some(Less) if exponent < zero => Slopes::at_most(at_end),
+                _ => Slopes::unknown(),
             }
         });
         Kink { value: Some((zero.clone(), zero.clone())), inside: Slopes::within(zero), outside: slopes }
