@@ -1,4 +1,4 @@
-"""Check docs/proofs with Coq and print the table entry, theorem, assumptions.
+"""Check docs/proofs with Coq and print the table entry, theorem, assumptions: those of theorems together, or with --each of each by itself.
 
 The files are copied to target/proofs and compiled there. Then, from docs/proofs and, for the tables of theorems and steps,
 crates/mdr-symbolic/data, where `mdr derive` reads it:
@@ -103,14 +103,14 @@ def assumptions(theorems, files):
         return {name: axioms for half in halves for name, axioms in half.items()}
 
 
-def steps_rest_on(lemmas):
-    """The axioms that the lemmas of Steps.v and StepTheorems.v rest on together."""
-    asked = "Require Import MDR.Steps MDR.StepTheorems.\n"
-    asked += f"Definition steps := ({', '.join(lemmas)}).\nPrint Assumptions steps.\n"
-    (BUILD / "AssumptionsOfSteps.v").write_text(asked)
-    answer = coqc("AssumptionsOfSteps.v")
+def rest_together(names, files, stem):
+    """The axioms that theorems or lemmas rest on together."""
+    asked = f"Require Import {' '.join(f'MDR.{file}' for file in files)}.\n"
+    asked += f"Definition all := ({', '.join(names)}).\nPrint Assumptions all.\n"
+    (BUILD / f"{stem}.v").write_text(asked)
+    answer = coqc(f"{stem}.v")
     if answer.returncode:
-        stop(f"a lemma of Steps.v or StepTheorems.v is not there\n{answer.stderr}")
+        stop(f"a theorem of theorems.tsv or a lemma of Steps.v or StepTheorems.v is not there\n{answer.stderr}")
     return {match[1] for match in re.finditer(r"^([A-Za-z][\w.]*)(?: :|$)", answer.stdout, re.M)}
 
 
@@ -128,6 +128,21 @@ def rest_on(theorems, files, stem):
             current = found.setdefault(line[3:], set())
         elif match := re.match(r"([A-Za-z][\w.]*)( :|$)", line):
             current.add(match[1])
+    return found
+
+
+def found_assumptions(theorems, lemmas, files, each):
+    """Theorem, or `steps`, -> the axioms that it rests on: by itself for `each`, and for theorems that may rest on more than others;
+    else those of all others together, which takes a hundredth of the time."""
+    may_more = {name for _, names, _ in table("assumptions.txt") for name in names.split()}
+    alone = [row for row in theorems if each or row[1] in may_more]
+    found = assumptions(alone, files)
+    others = [row for row in theorems if row not in alone]
+    if others:
+        names = [f"MDR.{pathlib.Path(file).stem}.{name}" for _, name, file, _ in others]
+        together = rest_together(names, [f.stem for f in files], "AssumptionsTogether")
+        found |= {name: together for _, name, _, _ in others}
+    found["steps"] = rest_together(lemmas, ["Steps", "StepTheorems"], "AssumptionsOfSteps")
     return found
 
 
@@ -240,8 +255,7 @@ def main():
 
     lemmas = steps()
     allowed = table("assumptions.txt")
-    found = assumptions(theorems, files)
-    found["steps"] = steps_rest_on(lemmas)
+    found = found_assumptions(theorems, lemmas, files, "--each" in sys.argv[1:])
     width = max(len(entry) for entry, *_ in theorems), max(len(name) for _, name, *_ in theorems)
     for entry, name, _, _ in [*theorems, ("all", "steps", "Steps.v", "")]:
         groups = {}
