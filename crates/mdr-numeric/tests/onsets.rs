@@ -214,6 +214,9 @@ fn gaps_outside_contacts_beyond_an_onset() {
     };
     assert_eq!(verdict("r^2/2 - 0.1*max(0, r - 0.1)^1.5", "0.16"), GapVerdict::Admissible);
     assert_eq!(verdict("r^2/2 - 0.1*max(0, r - 0.1)^1.2", "0.3"), GapVerdict::Admissible);
+    // Two powers that begin together.
+    let both = "r^2/2 - 0.1*max(0, r - 0.1)^1.5 + 0.1*max(0, r - 0.1)^2.5 - 0.06*exp(-((r - 0.4)*100)^2)";
+    assert!(matches!(verdict(both, "0.2"), GapVerdict::Interpenetrating { .. }));
     let dipped = verdict("r^2/2 - 0.1*max(0, r - 0.1)^1.5 - 0.06*exp(-((r - 0.4)*100)^2)", "0.2");
     let GapVerdict::Interpenetrating { radius, .. } = dipped else { panic!("{dipped:?}") };
     assert!((radius - 0.4).abs() < 0.02, "{radius}");

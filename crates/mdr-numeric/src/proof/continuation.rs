@@ -268,7 +268,9 @@ impl Continuation {
         };
         for (kink, leg) in legs.all() {
             if let Some(begun) = self.onsets.as_ref().and_then(|onsets| onsets.at(kink)) {
-                g = g.plus(&begun.g(x, leg)?);
+                for power in begun {
+                    g = g.plus(&power.g(x, leg)?);
+                }
                 continue;
             }
             let [i, _] = self.beyond(kink, leg, legs.base)?;

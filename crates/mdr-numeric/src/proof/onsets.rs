@@ -6,6 +6,8 @@
 //!
 //! The weights are positive with the sum B(e + 1, 1/2): the mean lies in each convex set of values.
 
+use std::collections::BTreeMap;
+
 use mdr_core::contact::{EnclosedFormula, Onset};
 use mdr_core::number::{Analytic, Gamma, Interval, Real, Rectangle};
 
@@ -15,8 +17,8 @@ use crate::transform::onset::{integrand, order};
 /// The powers of a profile, and what is left without them.
 pub(super) struct Onsets {
     rest: Continuation,
-    /// Each with its kink, where nothing else changes.
-    begun: Vec<(usize, Begun)>,
+    /// By their kinks, at which nothing else changes.
+    begun: BTreeMap<usize, Vec<Begun>>,
 }
 
 /// A power with the sum of its weights.
@@ -28,35 +30,36 @@ pub(super) struct Begun {
 impl Onsets {
     /// Those of a sum of formulas that has these kinks; `None` without any, or where one begins at a kink of another kind.
     pub(super) fn of(terms: &[EnclosedFormula], breaks: &[Interval]) -> Option<Self> {
-        let mut begun = Vec::new();
+        let mut begun = BTreeMap::<usize, Vec<Begun>>::new();
         for onset in terms.iter().filter_map(EnclosedFormula::onsets).flat_map(|onsets| &onsets.powers) {
             let mut at = breaks.iter().enumerate().filter(|(_, b)| b.overlaps(onset.begin()));
             let (Some((kink, _)), None) = (at.next(), at.next()) else { return None };
-            begun.push((kink, Begun::new(onset.clone())));
+            let together = begun.entry(kink).or_default();
+            if together.iter().any(|other| !other.onset.begins_with(onset)) {
+                return None;
+            }
+            together.push(Begun::new(onset.clone()));
         }
-        let kinks: Vec<usize> = begun.iter().map(|(kink, _)| *kink).collect();
-        let is_alone = |kink: &usize| kinks.iter().filter(|other| *other == kink).count() == 1;
-        if kinks.is_empty() || !kinks.iter().all(is_alone) {
+        if begun.is_empty() {
             return None;
         }
         let rest = terms.iter().map(|term| term.onsets().map_or_else(|| term.clone(), |onsets| onsets.rest.clone()));
         let rest = Continuation::new(rest.collect())?;
         let is_apart = |kink: &usize| !rest.breaks().iter().any(|b| b.overlaps(&breaks[*kink]));
-        (kinks.iter().all(is_apart) && rest.breaks().len() + kinks.len() == breaks.len())
+        (begun.keys().all(is_apart) && rest.breaks().len() + begun.len() == breaks.len())
             .then_some(Onsets { rest, begun })
     }
 
-    /// The power that begins at a kink.
-    pub(super) fn at(&self, kink: usize) -> Option<&Begun> {
-        self.begun.iter().find(|(at, _)| *at == kink).map(|(_, begun)| begun)
+    /// The powers that begin at a kink.
+    pub(super) fn at(&self, kink: usize) -> Option<&[Begun]> {
+        self.begun.get(&kink).map(Vec::as_slice)
     }
 
     /// f after so many kinks of all: beyond an onset also over real sets that reach below it.
     pub(super) fn height<T: Analytic>(&self, r: &T, beyond: usize) -> Option<T> {
-        let before = |&&(kink, _): &&(usize, Begun)| kink < beyond;
-        let begun = self.begun.iter().filter(before);
+        let begun = self.begun.range(..beyond);
         let rest = self.rest.height(r, beyond - begun.clone().count())?;
-        begun.map(|(_, begun)| begun.height(r)).try_fold(rest, |sum, height| Some(sum.plus(&height?)))
+        begun.flat_map(|(_, begun)| begun).try_fold(rest, |sum, begun| Some(sum.plus(&begun.height(r)?)))
     }
 
     /// The heights of the rest that were evaluated.
@@ -67,7 +70,7 @@ impl Onsets {
     /// Bounds of g over real radii on a half-space.
     pub(super) fn range(&self, x: &Interval) -> Option<Interval> {
         let mut g = self.rest.range(x)?;
-        for (_, begun) in self.begun.iter().filter(|(_, begun)| begun.onset.begin().lower() < x.upper()) {
+        for begun in self.begun.values().flatten().filter(|begun| begun.onset.begin().lower() < x.upper()) {
             g += &begun.range(&x.rounded(g.ctx()))?;
         }
         Some(g)
@@ -100,8 +103,8 @@ impl Begun {
     pub(super) fn g(&self, x: &Rectangle, leg: &Rectangle) -> Option<Rectangle> {
         let sum = x.plus(&x.constant(self.onset.begin()));
         let y = leg.squared().quotient(&sum)?;
-        let exponent = order(&self.onset, x.bits());
-        let share = exponent.clone() - exponent.lit(1);
+        let a = order(&self.onset, x.bits());
+        let share = a.clone() - a.lit(1);
         // y^(e − 1/2)
         let twice = share.clone().times(2);
         let whole = twice.approx().round();
