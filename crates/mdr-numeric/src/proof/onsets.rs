@@ -28,7 +28,7 @@ pub(super) struct Begun {
 }
 
 impl Onsets {
-    /// Those of a sum of formulas that has these kinks; `None` without any, or where one begins at a kink of another kind.
+    /// The powers of a sum of formulas that has these kinks; `None` without any, or where one begins at a kink of another kind.
     pub(super) fn of(terms: &[EnclosedFormula], breaks: &[Interval]) -> Option<Self> {
         let mut begun = BTreeMap::<usize, Vec<Begun>>::new();
         for onset in terms.iter().filter_map(EnclosedFormula::onsets).flat_map(|onsets| &onsets.powers) {

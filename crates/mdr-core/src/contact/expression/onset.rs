@@ -69,7 +69,7 @@ impl Node<Constant> {
     /// sum.
     ///
     /// # Errors
-    /// Those of the breaks of the rest.
+    /// Errors of the breaks of the rest.
     pub(super) fn split(&self) -> Result<Option<Split>, ExpressionError> {
         let mut terms = Vec::new();
         let Some(rest) = self.rest(&one(), &mut terms) else { return Ok(None) };
