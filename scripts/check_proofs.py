@@ -99,7 +99,7 @@ def build(files):
 def assumptions(theorems, files):
     """Theorem -> names of the axioms that it rests on, asked of Coq in two halves at a time."""
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        halves = pool.map(lambda half: rest_on(theorems[half::2], files, f"Assumptions{half}"), (0, 1))
+        halves = pool.map(lambda half: rest_on(theorems[half::2], files, f"Assumptions{half}"), range(min(2, len(theorems))))
         return {name: axioms for half in halves for name, axioms in half.items()}
 
 
@@ -107,23 +107,24 @@ def rest_together(names, files, stem):
     """The axioms that theorems or lemmas rest on together."""
     asked = f"Require Import {' '.join(f'MDR.{file}' for file in files)}.\n"
     asked += f"Definition all := ({', '.join(names)}).\nPrint Assumptions all.\n"
+    return {match[1] for match in re.finditer(r"^([A-Za-z][\w.]*)(?: :|$)", answered(asked, stem), re.M)}
+
+
+def answered(asked, stem):
+    """What Coq prints to a text that asks about theorems and lemmas."""
     (BUILD / f"{stem}.v").write_text(asked)
     answer = coqc(f"{stem}.v")
     if answer.returncode:
         stop(f"a theorem of theorems.tsv or a lemma of Steps.v or StepTheorems.v is not there\n{answer.stderr}")
-    return {match[1] for match in re.finditer(r"^([A-Za-z][\w.]*)(?: :|$)", answer.stdout, re.M)}
+    return answer.stdout
 
 
 def rest_on(theorems, files, stem):
     lines = ["Require Import " + " ".join(f"MDR.{f.stem}" for f in files) + "."]
     for _, name, file, _ in theorems:
         lines.append(f'Goal True. idtac "== {name}". Abort.\nPrint Assumptions MDR.{pathlib.Path(file).stem}.{name}.')
-    (BUILD / f"{stem}.v").write_text("\n".join(lines) + "\n")
-    answer = coqc(f"{stem}.v")
-    if answer.returncode:
-        stop(f"a theorem of theorems.tsv is not there\n{answer.stderr}")
     found, current = {}, set()
-    for line in answer.stdout.splitlines():
+    for line in answered("\n".join(lines) + "\n", stem).splitlines():
         if line.startswith("== "):
             current = found.setdefault(line[3:], set())
         elif match := re.match(r"([A-Za-z][\w.]*)( :|$)", line):

@@ -40,13 +40,13 @@ const POWER: &str = "7.329717737953535838417860583696359379680752743391791829039
 /// g of √(r + r²) at x = 1.1, by mpmath.
 const ROOT: &str = "2.191947134134347283397770087515737114346778460125556105190109159768139";
 
-fn enclosed(formula: &str, bits: u32) -> Enclosed {
+pub(crate) fn enclosed(formula: &str, bits: u32) -> Enclosed {
     let (formula, none) = (formula.parse::<Expression>().unwrap(), Default::default());
     let precision = Precision::new(bits);
     Enclosed::new(formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap(), precision)
 }
 
-fn number(text: &str, bits: u32) -> Interval {
+pub(crate) fn number(text: &str, bits: u32) -> Interval {
     Interval::from_literal(Precision::new(bits), &text.parse::<Literal>().unwrap())
 }
 
@@ -276,10 +276,9 @@ fn radii_out_of_the_domain_are_refused() {
     }
     assert!(sphere.g(&number("0.99999999", 64)).unwrap().accuracy_bits() > 30);
 }
-/// The extrema of g of (r²/2 − max(0, r − c)/10), c = 1/10 no binary fraction: a maximum at the kink, and a minimum beyond.
-#[test]
-fn folds_of_a_kinked_formula_are_proved() {
-    let transform = enclosed("r^2/2 - 0.1*max(0, r - 0.1)", 64);
+/// The folds from 10⁻⁶ to 1, proved to be all, with hardly any adhesion.
+pub(crate) fn all_folds(formula: &str) -> Vec<(FoldKind, f64)> {
+    let transform = enclosed(formula, 64);
     let (plain, moving) = (Arc::new(transform.clone()), Arc::new(EnclosedWithSlopes::new(transform)));
     let [one, work] = ["1", "1e-12"].map(|text| number(text, 64));
     let material = Material::new(Dual::constant(one.clone()), Dual::constant(work.clone())).unwrap();
@@ -288,8 +287,13 @@ fn folds_of_a_kinked_formula_are_proved() {
     let found =
         EnclosedCurve::new(plain, moving).folds(number("1e-6", 64).lower(), number("1", 64).lower(), 2000).unwrap();
     assert!(found.is_complete(), "{:?}", found.undecided);
-    let folds: Vec<(FoldKind, f64)> =
-        found.folds.iter().map(|fold| (fold.kind, fold.contact_radius.approx())).collect();
+    found.folds.iter().map(|fold| (fold.kind, fold.contact_radius.approx())).collect()
+}
+
+/// The extrema of g of (r²/2 − max(0, r − c)/10), c = 1/10 no binary fraction: a maximum at the kink, and a minimum beyond.
+#[test]
+fn folds_of_a_kinked_formula_are_proved() {
+    let folds = all_folds("r^2/2 - 0.1*max(0, r - 0.1)");
     let [(FoldKind::Minimum, _), (FoldKind::Maximum, kink), (FoldKind::Minimum, beyond)] = folds[..] else {
         panic!("{folds:?}")
     };

@@ -5,11 +5,13 @@
 use std::sync::Arc;
 
 use mdr_core::contact::{Control, Expression, FoldKind, Material, Transform};
-use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
+use mdr_core::number::{Dual, Interval, Precision, Real};
 use mdr_numeric::admissible::GapVerdict;
 use mdr_numeric::contact::Contact;
-use mdr_numeric::proof::{Continuation, EnclosedCurve, EnclosedEnergy, EnclosedGaps};
+use mdr_numeric::proof::{Continuation, EnclosedEnergy, EnclosedGaps};
 use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
+
+use crate::enclosed::{all_folds, enclosed, number};
 
 /// A formula, a radius, and g there: x∫f' dr/√(x² − r²) over v with r = b + (x − b)v²(2 − v²), by mpmath to sixty digits.
 #[rustfmt::skip]
@@ -20,16 +22,6 @@ const QUADRATURES: [[&str; 3]; 5] = [
     ["2.2*max(0, r - 0.3)^1.2/1.2", "0.30001", "0.000482594988150496204945019312706472674366764111283058131537699"],
     ["-sqrt(max(0, r^2 - 0.09)^1.5)", "0.7", "-1.00048815052546454466475334308712016802326625262672828924063"],
 ];
-
-fn enclosed(formula: &str, bits: u32) -> Enclosed {
-    let (formula, none) = (formula.parse::<Expression>().unwrap(), Default::default());
-    let precision = Precision::new(bits);
-    Enclosed::new(formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap(), precision)
-}
-
-fn number(text: &str, bits: u32) -> Interval {
-    Interval::from_literal(Precision::new(bits), &text.parse::<Literal>().unwrap())
-}
 
 /// Also at so few bits that a missing remainder would show.
 #[test]
@@ -144,19 +136,10 @@ fn slopes_beside_an_onset() {
 /// x² − (3π/4) c x(x² − b²) has its maximum where 2x = (3π/4) c (3x² − b²).
 #[test]
 fn folds_beyond_an_onset_are_proved() {
-    let transform = enclosed("r^2/2 - 0.5*max(0, r^2 - 0.01)^1.5", 64);
-    let (plain, moving) = (Arc::new(transform.clone()), Arc::new(EnclosedWithSlopes::new(transform)));
-    let [one, work] = ["1", "1e-12"].map(|text| number(text, 64));
-    let material = Material::new(Dual::constant(one.clone()), Dual::constant(work.clone())).unwrap();
-    let moving = Contact::half_space(&moving, &material, &Control::Indentation);
-    let plain = Contact::half_space(&plain, &Material::new(one, work).unwrap(), &Control::Indentation);
-    let found =
-        EnclosedCurve::new(plain, moving).folds(number("1e-6", 64).lower(), number("1", 64).lower(), 2000).unwrap();
-    assert!(found.is_complete(), "{:?}", found.undecided);
-    let last = found.folds.last().unwrap();
-    let x = last.contact_radius.approx();
+    let folds = all_folds("r^2/2 - 0.5*max(0, r^2 - 0.01)^1.5");
+    let (kind, x) = *folds.last().unwrap();
     let slope = 2.0 * x - 0.75 * std::f64::consts::PI * 0.5 * (3.0 * x * x - 0.01);
-    assert!(last.kind == FoldKind::Maximum && slope.abs() < 1e-5, "{x} {slope}");
+    assert!(kind == FoldKind::Maximum && slope.abs() < 1e-5, "{x} {slope}");
 }
 
 /// With g = c x² + k x(x² − b²) beyond b the square integral is a polynomial. At so few bits that a missing remainder would show, also

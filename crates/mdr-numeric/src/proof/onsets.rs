@@ -12,7 +12,7 @@ use mdr_core::contact::{EnclosedFormula, Onset};
 use mdr_core::number::{Analytic, Gamma, Interval, Real, Rectangle};
 
 use super::continuation::Continuation;
-use crate::transform::onset::{integrand, order};
+use crate::transform::onset::{integrand, order, power};
 
 /// The powers of a profile, and what is left without them.
 pub(super) struct Onsets {
@@ -91,7 +91,7 @@ impl Begun {
         Some(self.onset.at(&u)?.product(&u.power(self.onset.exponent())?))
     }
 
-    /// The integral.
+    /// The integral, with its weights.
     fn mean<T: Analytic>(&self, y: &T) -> Option<T> {
         let all = Interval::from_int(self.weight.ctx(), 0).hull(&Interval::from_int(self.weight.ctx(), 1));
         let k = integrand(&self.onset, y, &y.scaled(&all), 1)?;
@@ -118,11 +118,7 @@ impl Begun {
 
     /// Bounds of the term over real radii.
     fn range(&self, x: &Interval) -> Option<Interval> {
-        let y = x.clone() - self.onset.begin();
-        let y = if *y.lower() <= 0 { y.lit(0).hull(&Interval::point(y.upper().clone())) } else { y };
-        let share = order(&self.onset, y.precision()) - y.lit(1);
-        let end = Interval::point(y.upper().clone()).pow(&share);
-        let raised = if *y.lower() > 0 { y.pow(&share) } else { y.lit(0).hull(&end) };
-        Some(self.mean(&y)? * raised)
+        let y = (x.clone() - self.onset.begin()).positive_part();
+        Some(self.mean(&y)? * power(&y, &self.onset, 1))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::enclosed::FormulaPart;
 use super::{Constant, Node, Operator};
-use crate::number::{Analytic, Euler, Interval, Literal, NearZero, Real};
+use crate::number::{Analytic, Euler, Interval, NearZero, Real};
 
 impl FormulaPart {
     /// f with its Euler derivatives up to an order over a set of radii that may hold the axis, where [`FormulaPart::at`] knows nothing of
@@ -89,7 +89,7 @@ impl Node<Constant> {
             Some(Node::Operation(operator, part(left, a), part(right, b)))
         };
         match self {
-            Node::Power(base, n) if *n < 0 && **base == Node::Variable => Some(one()),
+            Node::Power(base, n) if *n < 0 && **base == Node::Variable => Some(Node::whole(1)),
             Node::Power(base, n) if *n > 0 => Some(Node::Power(Box::new(base.cleared()?), *n)),
             Node::Negative(inner) => Some(Node::Negative(Box::new(inner.cleared()?))),
             Node::Operation(Operator::Divide, a, b) if b.is_power_of_radius() => {
@@ -110,8 +110,4 @@ impl Node<Constant> {
         let sum = self.powers().unwrap_or_default();
         sum.len() == 1 && sum.keys().all(|n| *n > 0 && n.is_integer())
     }
-}
-
-fn one() -> Node<Constant> {
-    Node::Constant(Constant::Literal(Literal::from(1)))
 }

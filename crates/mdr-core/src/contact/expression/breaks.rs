@@ -227,7 +227,7 @@ fn collect(node: &Node<Constant>, found: &mut Vec<(Node<Constant>, Node<Constant
         }
         Node::Function(function, x) => {
             collect(x, found);
-            let one = || Box::new(Node::Constant(Constant::Literal(1.into())));
+            let one = || Box::new(Node::whole(1));
             match function {
                 Function::Sqrt | Function::Ln | Function::Log10 | Function::Abs => of(x, found),
                 Function::Asin | Function::Acos | Function::Atanh => {
@@ -261,7 +261,7 @@ fn factors(node: &Node<Constant>, found: &mut Vec<Node<Constant>>) {
     }
 }
 
-fn is_zero(node: &Node<Constant>) -> bool {
+pub(super) fn is_zero(node: &Node<Constant>) -> bool {
     matches!(node, Node::Constant(constant) if constant.is_zero())
 }
 

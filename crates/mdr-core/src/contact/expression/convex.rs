@@ -3,8 +3,7 @@
 //! With s = ln r, (r f')' ≥ 0 says that f is convex in s, and then g falls nowhere. Powers of r are exponentials of s. A positive
 //! function whose logarithm is convex in s stays one in sums, products, positive powers and under `exp`, `sinh` and `cosh`; its
 //! logarithm is convex, and so are sums and maxima of convex functions, and powers from the first on of those that are not negative. These are
-//! the rules of log-convex programming. Unlike
-//! enclosures they reach to all radii, where the terms of (r f')' may cancel, as those of ln(1 + r²) do.
+//! the rules of log-convex programming. Unlike enclosures they reach to all radii, where the terms of (r f')' may cancel, as those of ln(1 + r²) do.
 
 use super::{Constant, Function, Node, Operator};
 use crate::number::{Interval, Precision, Real};

@@ -288,14 +288,7 @@ impl Node<Interval> {
             let any = self.any_constant();
             return Node::Constant(self.value(&any));
         }
-        let fold = |x: &Node<Interval>| Box::new(x.folded());
-        match self {
-            Node::Negative(x) => Node::Negative(fold(x)),
-            Node::Power(x, n) => Node::Power(fold(x), *n),
-            Node::Function(function, x) => Node::Function(*function, fold(x)),
-            Node::Operation(operator, a, b) => Node::Operation(*operator, fold(a), fold(b)),
-            other => other.clone(),
-        }
+        self.with_inner(Node::folded)
     }
 
     /// A constant in it, for its precision.

@@ -146,6 +146,21 @@ functions! {
 /// The names of the operators that are written as functions.
 const EXTREMES: [(&str, Operator); 2] = [("min", Operator::Minimum), ("max", Operator::Maximum)];
 
+impl<C: Clone> Node<C> {
+    /// The formula with what its outermost operation acts on replaced.
+    #[cfg(feature = "mp")]
+    fn with_inner(&self, replace: impl Fn(&Node<C>) -> Node<C>) -> Node<C> {
+        let inner = |x: &Node<C>| Box::new(replace(x));
+        match self {
+            Node::Negative(x) => Node::Negative(inner(x)),
+            Node::Power(x, n) => Node::Power(inner(x), *n),
+            Node::Function(function, x) => Node::Function(*function, inner(x)),
+            Node::Operation(operator, a, b) => Node::Operation(*operator, inner(a), inner(b)),
+            Node::Variable | Node::Constant(_) => self.clone(),
+        }
+    }
+}
+
 impl<C> Node<C> {
     /// The formula with every constant replaced.
     fn map<D, E>(&self, replace: &mut impl FnMut(&C) -> Result<D, E>) -> Result<Node<D>, E> {
@@ -329,6 +344,12 @@ impl<C> Node<C> {
 }
 
 impl Node<Constant> {
+    /// A whole number.
+    #[cfg(feature = "mp")]
+    fn whole(value: i64) -> Self {
+        Node::Constant(Constant::Literal(value.into()))
+    }
+
     /// The formula in an arithmetic. All parameters have been replaced; a remaining one would become NaN.
     fn bound<R: Real>(&self, ctx: R::Ctx) -> Node<R> {
         let number = |constant: &Constant| match constant {

@@ -5,13 +5,13 @@
 
 use rug::{Integer, Rational};
 
-use super::breaks::Breaks;
+use super::breaks::{Breaks, is_zero};
 use super::enclosed::EnclosedFormula;
 use super::powers::{Sum, number};
 use super::rooted::literal;
 use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
 use crate::calculus::enclose::BOUND_BITS;
-use crate::number::{Analytic, Interval, Literal, Precision, Real};
+use crate::number::{Analytic, Interval, Precision, Real};
 
 /// The largest n of rⁿ in B.
 const DEGREE: i64 = 32;
@@ -72,7 +72,7 @@ impl Node<Constant> {
     /// Errors of the breaks of the rest.
     pub(super) fn split(&self) -> Result<Option<Split>, ExpressionError> {
         let mut terms = Vec::new();
-        let Some(rest) = self.rest(&one(), &mut terms) else { return Ok(None) };
+        let Some(rest) = self.rest(&Node::whole(1), &mut terms) else { return Ok(None) };
         if terms.is_empty() {
             return Ok(None);
         }
@@ -93,7 +93,7 @@ impl Node<Constant> {
                 return None;
             }
             terms.push(Term { factor: factor.clone(), base, exponent });
-            return Some(Node::Constant(Constant::Literal(Literal::from(0))));
+            return Some(Node::whole(0));
         }
         Some(match self {
             Node::Negative(x) => Node::Negative(Box::new(x.rest(&Node::Negative(Box::new(factor.clone())), terms)?)),
@@ -126,10 +126,9 @@ impl Node<Constant> {
 
     /// B and e, if it is max(0, B)^e in any of its forms.
     fn power_of_switch(&self) -> Option<(Base, Rational)> {
-        let zero = Node::Constant(Constant::Literal(Literal::from(0)));
         match self {
-            Node::Operation(Operator::Maximum, a, b) if **a == zero => Some((Base::of(&b.powers()?)?, 1.into())),
-            Node::Operation(Operator::Maximum, a, b) if **b == zero => Some((Base::of(&a.powers()?)?, 1.into())),
+            Node::Operation(Operator::Maximum, a, b) if is_zero(a) => Some((Base::of(&b.powers()?)?, 1.into())),
+            Node::Operation(Operator::Maximum, a, b) if is_zero(b) => Some((Base::of(&a.powers()?)?, 1.into())),
             Node::Power(x, n) if *n > 0 => x.power_of_switch().map(|(base, e)| (base, e * *n)),
             Node::Function(Function::Sqrt, x) => x.power_of_switch().map(|(base, e)| (base, e / 2)),
             Node::Operation(Operator::Power, x, exponent) => {
@@ -140,10 +139,6 @@ impl Node<Constant> {
             _ => None,
         }
     }
-}
-
-fn one() -> Node<Constant> {
-    Node::Constant(Constant::Literal(Literal::from(1)))
 }
 
 impl Base {
@@ -174,10 +169,7 @@ impl Base {
 }
 
 fn enclosed(value: &Rational, precision: Precision) -> Option<Interval> {
-    match literal(value)? {
-        Node::Constant(Constant::Literal(literal)) => Some(Interval::from_literal(precision, &literal)),
-        _ => None,
-    }
+    Some(Interval::from_literal(precision, &literal(value)?))
 }
 
 impl Split {

@@ -57,7 +57,7 @@ impl Node<Constant> {
             let lowest = base.first_key_value()?.0.clone();
             let rest = base.into_iter().map(|(n, c)| (n - &lowest, c)).collect();
             let factor = power(&(lowest * &exponent), k)?;
-            let exponent = Box::new(literal(&exponent)?);
+            let exponent = Box::new(constant(&exponent)?);
             let rest = Node::Operation(Operator::Power, Box::new(polynomial(rest, k)?), exponent);
             return Some(Node::Operation(Operator::Multiply, Box::new(factor), Box::new(rest)));
         }
@@ -74,8 +74,12 @@ impl Node<Constant> {
     }
 }
 
-pub(super) fn literal(value: &Rational) -> Option<Node<Constant>> {
-    Some(Node::Constant(Constant::Literal(value.to_string().parse::<Literal>().ok()?)))
+pub(super) fn literal(value: &Rational) -> Option<Literal> {
+    value.to_string().parse().ok()
+}
+
+fn constant(value: &Rational) -> Option<Node<Constant>> {
+    literal(value).map(|literal| Node::Constant(Constant::Literal(literal)))
 }
 
 /// q^(kn).
@@ -88,12 +92,12 @@ fn power(n: &Rational, k: u32) -> Option<Node<Constant>> {
 /// Σ c q^(kn).
 fn polynomial(sum: Sum, k: u32) -> Option<Node<Constant>> {
     let mut terms = sum.iter().map(|(n, c)| {
-        let factor = literal(c)?;
+        let factor = constant(c)?;
         if *n == 0 {
             return Some(factor);
         }
         Some(Node::Operation(Operator::Multiply, Box::new(factor), Box::new(power(n, k)?)))
     });
-    let first = terms.next().unwrap_or_else(|| literal(&Rational::new()))?;
+    let first = terms.next().unwrap_or_else(|| constant(&Rational::new()))?;
     terms.try_fold(first, |sum, term| Some(Node::Operation(Operator::Add, Box::new(sum), Box::new(term?))))
 }

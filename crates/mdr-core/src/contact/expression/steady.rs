@@ -27,7 +27,7 @@ enum Kind<'a, R> {
     /// ln(1 + exp(u)), a smooth max(0, u).
     Softplus,
     /// ln(cosh u), a smooth |u| − ln 2.
-    LogarithmOfCosine,
+    LogarithmOfCosh,
     /// √(b² + u) − b.
     Root(&'a Node<R>),
 }
@@ -39,7 +39,7 @@ impl<R: Special> Node<R> {
             Node::Function(Function::Ln, inner) => {
                 let of = |kind, u, falls| Some(Departure { kind, u, falls, is_reversed: false });
                 if let Node::Function(Function::Cosh, u) = &**inner {
-                    return of(Kind::LogarithmOfCosine, u, false);
+                    return of(Kind::LogarithmOfCosh, u, false);
                 }
                 match inner.parts_of_sum().find(|(one, ..)| one.is_one())? {
                     (_, Node::Function(Function::Exp, u), false) => of(Kind::Softplus, u, false),
@@ -125,8 +125,8 @@ impl<R: Special> Kind<'_, R> {
             Kind::Logarithm => (one + u).ln(),
             Kind::Softplus if u.value_of() > u.value_of().lit(0) => (-u.clone()).exp().ln_1p() + u,
             Kind::Softplus => u.exp().ln_1p(),
-            Kind::LogarithmOfCosine if is_small => u.sinh().square().ln_1p().over(2),
-            Kind::LogarithmOfCosine => {
+            Kind::LogarithmOfCosh if is_small => u.sinh().square().ln_1p().over(2),
+            Kind::LogarithmOfCosh => {
                 let size = u.abs();
                 (size.clone().times(-2)).exp().ln_1p() - one.times(2).ln() + size
             }
@@ -195,8 +195,8 @@ impl Kind<'_, Interval> {
                 Kind::Logarithm.analytic(&u.negated().exp(), r)?.plus(u)
             }
             Kind::Softplus => Kind::Logarithm.analytic(&u.exp(), r)?,
-            Kind::LogarithmOfCosine if is_small => Kind::Logarithm.analytic(&u.sinh_cosh().0.squared(), r)?.divided(2),
-            Kind::LogarithmOfCosine => {
+            Kind::LogarithmOfCosh if is_small => Kind::Logarithm.analytic(&u.sinh_cosh().0.squared(), r)?.divided(2),
+            Kind::LogarithmOfCosh => {
                 let size = match u.side() {
                     Some(Ordering::Greater) => u.clone(),
                     Some(_) => u.negated(),

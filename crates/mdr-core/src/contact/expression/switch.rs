@@ -135,14 +135,7 @@ impl Node<Interval> {
         if let Some(positive) = self.switch().and_then(|argument| is_positive(&argument, cell)) {
             return self.switched(positive).settled(cell);
         }
-        let settled = |x: &Node<Interval>| Box::new(x.settled(cell));
-        match self {
-            Node::Negative(x) => Node::Negative(settled(x)),
-            Node::Power(x, n) => Node::Power(settled(x), *n),
-            Node::Function(function, x) => Node::Function(*function, settled(x)),
-            Node::Operation(operator, a, b) => Node::Operation(*operator, settled(a), settled(b)),
-            other => other.clone(),
-        }
+        self.with_inner(|x| x.settled(cell))
     }
 
     /// What a switch is where its argument has a sign.

@@ -121,11 +121,10 @@ impl Enclosed {
     fn of_onset(&self, onset: &Onset, x: &Interval, order: Order) -> Result<Vec<Interval>> {
         let y = x.clone() - onset.begin();
         let begins = *y.lower() <= 0;
-        let y = if begins { y.lit(0).hull(&Interval::point(y.upper().clone())).rounded(x.ctx()) } else { y };
-        let Some(sums) = self.integrals_of_onset(onset, &y, order, &Span::of(x)) else {
-            let is_wide = Span::of(x).is_wide;
+        let (y, span) = (y.positive_part(), Span::of(x));
+        let Some(sums) = self.integrals_of_onset(onset, &y, order, &span) else {
             let unknown = vec![Interval::entire(x.ctx()); order.count()];
-            return if is_wide {
+            return if span.is_wide {
                 Ok(unknown)
             } else {
                 Err(unproved(x, "a power of the formula begins too close to it"))
@@ -154,6 +153,9 @@ impl Enclosed {
     /// The radii where a proof needs to know both sides: the breaks of the rest, and the onsets.
     pub(super) fn all_kinks(&self) -> Vec<Interval> {
         let mut all = self.formula.breaks().to_vec();
+        if self.onsets.is_empty() {
+            return all;
+        }
         let mut known: Vec<&Onset> = Vec::new();
         for onset in self.onsets.iter() {
             if !known.iter().any(|other| onset.begins_with(other)) {
@@ -231,7 +233,7 @@ fn smooth_kink(
 }
 
 /// y^(a − j): of an interval that begins at 0, too, where it is the entire line below the power 0.
-fn power(y: &Interval, onset: &Onset, less: i64) -> Interval {
+pub(crate) fn power(y: &Interval, onset: &Onset, less: i64) -> Interval {
     let exponent = order(onset, y.precision()) - y.lit(less);
     let zero = y.lit(0);
     if *y.lower() > 0 {
