@@ -8,7 +8,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit peers-states python nanite oracle jkr capi book site site-test site-tools nanite-tools
+.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit peers-states python nanite oracle jkr capi book site site-test site-test-untimed site-test-timed site-tools nanite-tools
 
 # In the profile of the tests, with which it shares what is compiled: nearly all of its time is MPFR's, so a release is no faster.
 verify: deps
@@ -63,6 +63,13 @@ site:
 # there is no browser.
 site-test:
 	@sh scripts/site_test.sh
+
+# Both parts of it: the second asks for a processor of its own.
+site-test-untimed:
+	@sh scripts/site_test.sh --untimed
+
+site-test-timed:
+	@sh scripts/site_test.sh --timed
 
 # What site-test needs, where it can be had.
 site-tools:
