@@ -9,7 +9,7 @@ use std::fs;
 use std::path::Path;
 
 use mdr_crosscheck::ladders::functions;
-use mdr_crosscheck::subjects;
+use mdr_crosscheck::{check_names, subjects};
 use sources::{public_functions, sources};
 
 /// Public functions that are no closed forms of the theory.
@@ -120,4 +120,14 @@ fn every_function_of_double_with_a_ladder_is_a_subject() {
     assert!(double.len() > 20, "{double:?}");
     let missing: Vec<_> = double.iter().filter(|name| !subjects.contains(name.as_str())).collect();
     assert!(missing.is_empty(), "no subjects: {missing:?}");
+}
+
+/// A line that cannot be read, and a check without a line, would be left out in silence.
+#[test]
+fn every_line_of_the_table_is_a_check_and_every_check_has_a_line() {
+    let lines = include_str!("../data/checks.tsv").lines().filter(|line| !line.starts_with('#'));
+    assert_eq!(check_names(), lines.map(|line| line.split('\t').next().unwrap()).collect::<Vec<_>>());
+    let run = include_str!("../src/checks/mod.rs").lines().filter_map(|line| line.strip_prefix("    (\""));
+    let run: BTreeSet<_> = run.filter_map(|line| Some(line.split_once("\", ")?.0)).collect();
+    assert_eq!(run, check_names().into_iter().collect());
 }
