@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use std::sync::LazyLock;
 
 use maud::{Markup, html};
 use mdr_crosscheck::derivations::{Judgement, judge_all};
@@ -36,6 +37,9 @@ pub(crate) struct Book<'a> {
     /// BookFiles of the project to which some page leads.
     wanted: BTreeSet<String>,
 }
+
+/// The derivations with their verdicts, judged once for all books of a process: that is half of the work.
+static JUDGED: LazyLock<Vec<Judgement>> = LazyLock::new(judge_all);
 
 /// The script that says whether the explorer stands beside the book.
 const HERE: &str = "explorer-here.js";
@@ -100,13 +104,13 @@ impl Book<'_> {
 
     /// All pages, in the order in which they are read.
     fn sheets(&mut self) -> Result<Vec<Sheet>> {
-        let judgements = judge_all();
-        let mut sheets = vec![self.written("index", &judgements)?];
+        let judgements = &**JUDGED;
+        let mut sheets = vec![self.written("index", judgements)?];
         for name in SPINE {
             sheets.push(self.spine(name)?);
         }
         for chapter in &CHAPTERS {
-            sheets.push(self.chapter(chapter, &judgements)?);
+            sheets.push(self.chapter(chapter, judgements)?);
             for entry in chapter.entries() {
                 let found = judgements.iter().find(|judgement| judgement.entry.id == entry.id);
                 let judgement = found.ok_or_else(|| Error::page(entry.id, "it was not judged"))?;
@@ -114,9 +118,9 @@ impl Book<'_> {
             }
         }
         sheets.extend(self.documents(Shelf::Front)?);
-        sheets.push(self.written("notation", &judgements)?);
-        sheets.push(self.written("verdicts", &judgements)?);
-        sheets.push(self.written("contents", &judgements)?);
+        sheets.push(self.written("notation", judgements)?);
+        sheets.push(self.written("verdicts", judgements)?);
+        sheets.push(self.written("contents", judgements)?);
         sheets.push(plain("values", "Certified values", values::index()));
         for (family, title) in values::FAMILIES {
             sheets.push(plain(&format!("values-{family}"), title, values::family_page(family)));
@@ -127,7 +131,7 @@ impl Book<'_> {
         sheets.extend(self.documents(Shelf::Numbers)?);
         sheets.extend(self.documents(Shelf::Program)?);
         sheets.push(plain("bibliography", "Bibliography", self.bibliography.page()));
-        sheets.push(self.written("cite", &judgements)?);
+        sheets.push(self.written("cite", judgements)?);
         Ok(sheets)
     }
 
