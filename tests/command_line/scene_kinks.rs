@@ -98,3 +98,29 @@ fn what_is_no_profile_is_refused() {
         assert!(message.starts_with("error: <stdin>:6: profile.formula: ") && message.contains(why), "{message}");
     }
 }
+
+/// Of kinks without end the first are proved, those beyond a range are not looked at, and the answer says that there are more. Folds where
+/// the tangency condition is zero by a quadrature of mpmath, and at the kink π/20.
+#[test]
+fn the_first_of_many_kinks_are_proved() {
+    const FOLDS: [f64; 5] = [
+        0.015045343423221263,
+        0.055977723125247868,
+        std::f64::consts::PI / 20.0,
+        0.2495438758760645,
+        0.303860948244236489,
+    ];
+    for (range, end) in [("folds.range = [\"1e-3\", \"0.6\"]", 0.6), ("", 2.6)] {
+        let rest = format!("[output]\nwant = [\"folds\"]\ndigits = 5\n{range}");
+        let text = scene("kind = \"expression\"\nformula = \"r^2/2 + 0.01*abs(sin(20*r))\"", 0.1, &rest);
+        let answer = solved(&text, "");
+        assert_eq!(answer["promise"]["folds"], "certified", "{answer}");
+        let complete = &answer["complete"]["folds"];
+        assert!(complete["proved"] == true && number(&complete["to"]) < end + 1e-9, "{complete}");
+        assert_eq!(complete["why"].as_str().unwrap().contains("of kinks"), range.is_empty(), "{complete}");
+        let folds: Vec<f64> =
+            answer["folds"].as_array().unwrap().iter().map(|fold| number(&fold["contact_radius"])).collect();
+        assert_eq!(folds.len(), FOLDS.len(), "{folds:?}");
+        assert!(folds.iter().zip(FOLDS).all(|(found, fold)| (found / fold - 1.0).abs() < 1e-4), "{folds:?}");
+    }
+}

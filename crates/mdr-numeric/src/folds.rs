@@ -118,7 +118,16 @@ where
 /// [`Error::Undecided`] if the condition is satisfied, up to rounding, over a whole range of radii: n = 1/2 with C at a threshold
 /// (1.19).
 pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
-    search(curve, [survey::REACH; 2])
+    search(curve, [survey::REACH; 2], survey::HEIGHTS)
+}
+
+/// The folds of a contact as [`find`] finds them, from the tip outwards, until so many heights of the profile are evaluated: those of waves
+/// without end are ever more work. Where the search ends there, [`Folds::completeness`] is doubtful.
+///
+/// # Errors
+/// Errors of [`find`].
+pub fn find_within<R: Real>(curve: &Contact<R>, heights: u64) -> Result<Folds<R>> {
+    search(curve, [survey::REACH; 2], heights)
 }
 
 /// The folds of a contact at radii between two, with some beyond them; [`Folds::completeness`] is about those between alone. Waves
@@ -129,11 +138,11 @@ pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
 pub fn find_between<R: Real>(curve: &Contact<R>, least: &R, greatest: &R) -> Result<Folds<R>> {
     let length = curve.material_length();
     let reach = [length.clone() / least, greatest.clone() / &length];
-    search(curve, reach.map(|ratio| (ratio.ln().approx() + BEYOND).clamp(BEYOND, survey::REACH)))
+    search(curve, reach.map(|ratio| (ratio.ln().approx() + BEYOND).clamp(BEYOND, survey::REACH)), survey::HEIGHTS)
 }
 
 /// The folds at radii e^(−reach\[0\]) to e^(reach\[1\]) times the length w/E*.
-fn search<R: Real>(curve: &Contact<R>, reach: [f64; 2]) -> Result<Folds<R>> {
+fn search<R: Real>(curve: &Contact<R>, reach: [f64; 2], heights: u64) -> Result<Folds<R>> {
     curve.control().check()?;
     let length = curve.material_length();
     if !(length.is_finite() && length.unit_roundoff() * &length > length.lit(0)) {
@@ -141,7 +150,7 @@ fn search<R: Real>(curve: &Contact<R>, reach: [f64; 2]) -> Result<Folds<R>> {
         let requirement = "of a ratio to E* within the range of this arithmetic, where the search for states begins";
         return Err(Error::Domain { quantity: Quantity::WorkOfAdhesion, value, requirement });
     }
-    let range = Range { reach, ..Range::whole(curve.transform(), length) };
+    let range = Range { reach, heights, ..Range::whole(curve.transform(), length) };
     let ratio = |a: &R| curve.fold_ratio(a);
     let mut survey = survey::survey(&range, ratio)?;
     let outer_edge = curve.vertical_edge();

@@ -91,7 +91,7 @@ const PER_CROSSING: usize = 64;
 /// The search ends, unresolved, when so many crossings are found, or so many heights were evaluated for it. (Ten thousand
 /// waves take 10⁴ crossings, an ordinary formula 10⁵ heights.)
 const MOST: usize = 30_000;
-const HEIGHTS: u64 = 20_000_000;
+pub(crate) const HEIGHTS: u64 = 20_000_000;
 /// The uncertainty of the logarithm of a ratio, in unit roundoffs of the arithmetic: four times the accuracy of a
 /// quadrature.
 const NOISE: f64 = 128.0;

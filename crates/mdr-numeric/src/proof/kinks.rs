@@ -37,7 +37,8 @@ impl EnclosedCurve {
         for (index, kink) in kinks.iter().enumerate() {
             let repeated = gaps.last().is_some_and(|gap| gap.radius == *kink);
             let from = gaps.last().map_or(lower, |gap| &gap.after);
-            let to = kinks[index + 1..].iter().find(|next| *next != kink).map_or(upper, |next| next.lower());
+            let next = kinks[index + 1..].iter().find(|next| *next != kink).map(Interval::lower);
+            let to = next.filter(|next| *next < upper).unwrap_or(upper);
             if !repeated && let Some(gap) = self.neighbourhood(index, kink, from, to)? {
                 gaps.push(gap);
             }

@@ -34,6 +34,8 @@ pub(crate) struct Certified<'s> {
     search: Once<Search<'s>>,
     plain: Once<Search<'s>>,
     folds: Once<Option<FoldProof>>,
+    /// Why nothing is proved of the folds.
+    open: OnceCell<Error>,
     admissibility: Once<Arc<Admissibility>>,
     formulas: Once<Option<Formulas>>,
     /// An output of which a part is proved, for where nothing else has more of it.
@@ -44,7 +46,7 @@ impl<'s> Certified<'s> {
     pub(crate) fn new(scene: &'s Scene, digits: u32, counts: &'s Counts) -> Self {
         let (search, plain, folds) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
         let (admissibility, formulas, kept) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
-        Certified { scene, digits, counts, search, plain, folds, admissibility, formulas, kept }
+        Certified { scene, digits, counts, search, plain, folds, open: OnceCell::new(), admissibility, formulas, kept }
     }
 
     /// Keeps an output of which only a part is proved.
@@ -151,7 +153,10 @@ impl<'s> Certified<'s> {
                     "; the budget was spent before this was proved, and a larger one may decide it".to_owned(),
                 );
             }
-            Ok(None) => return Some("; a proof was begun, and left undecided".to_owned()),
+            Ok(None) => {
+                let why = self.open.get().map(|error| format!(": {error}")).unwrap_or_default();
+                return Some(format!("; a proof was begun, and left undecided{why}"));
+            }
             folds => folds.as_ref().ok()?.as_ref()?,
         };
         if folds.complete.undecided {
@@ -234,7 +239,13 @@ impl<'s> Certified<'s> {
         let folds = once(&self.folds, || {
             Ok(match self.scene.exact_rows() {
                 None if self.scene.is_closed() => Some(FoldProof::new(self)?),
-                None if self.scene.is_enclosed() => proof::decided(FoldProof::new(self))?,
+                None if self.scene.is_enclosed() => match FoldProof::new(self) {
+                    Err(error) if proof::is_open(&error) => {
+                        let _ = self.open.set(error);
+                        None
+                    }
+                    proof => Some(proof?),
+                },
                 Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?),
                 _ => None,
             })

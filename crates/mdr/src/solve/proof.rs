@@ -28,7 +28,8 @@ const BUDGET: usize = 4_000_000;
 const BUDGET_OF_ROWS: usize = 10_000;
 
 /// What is said where a range was chosen that ends before the last of the folds that are seen.
-const BEYOND: &str = "; beyond this range a search in f64 sees more, and `folds.range` asks for them";
+const BEYOND: &str =
+    "; beyond this range a search in f64 sees more of them or of kinks, and `folds.range` asks for them";
 
 /// The contact over enclosures, and over enclosures with derivatives.
 pub(crate) struct Enclosed {
@@ -244,7 +245,12 @@ pub(crate) fn reached<T>(result: Result<T>) -> Result<Option<T>> {
 /// `None` if the question stays open.
 pub(crate) fn decided<T>(result: Result<T>) -> Result<Option<T>> {
     match result {
-        Err(Error::Undecided { .. } | Error::Unproved { .. }) => Ok(None),
+        Err(error) if is_open(&error) => Ok(None),
         result => result.map(Some),
     }
+}
+
+/// Whether an error leaves the question open.
+pub(crate) fn is_open(error: &Error) -> bool {
+    matches!(error, Error::Undecided { .. } | Error::Unproved { .. })
 }

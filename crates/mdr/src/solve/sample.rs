@@ -26,6 +26,9 @@ const OF_THE_REST: f64 = 8.0;
 /// So many folds are proved where g is an integral: those of waves without end are ever more work.
 #[cfg(feature = "mp")]
 const FOLDS_OF_INTEGRALS: usize = 8;
+/// So many kinks lie within where g is an integral: each cuts all integrals beyond it.
+#[cfg(feature = "mp")]
+const KINKS_OF_INTEGRALS: usize = 16;
 /// How close to the outer radius of a profile.
 const RIM: f64 = 1e-6;
 
@@ -62,7 +65,7 @@ pub(crate) struct Range {
     pub(crate) is_limit: bool,
 }
 
-/// Where the proof of folds ends where g is an integral, if there are more of them than it should find: between two of them.
+/// Where the proof of folds ends where g is an integral, if there are more of them, or more kinks, than it should see: between two of them.
 ///
 /// # Errors
 /// Errors of the search for folds.
@@ -71,9 +74,11 @@ pub(crate) fn end_of_proof(search: &Search<'_>) -> Result<Option<f64>> {
     if !search.scene.takes_integrals() {
         return Ok(None);
     }
-    let folds = search.folds()?;
-    let between = |last: &Fold<f64>, next: &Fold<f64>| (last.contact_radius * next.contact_radius).sqrt();
-    Ok(folds.get(FOLDS_OF_INTEGRALS).map(|next| between(&folds[FOLDS_OF_INTEGRALS - 1], next)))
+    let after = |radii: &[f64], count: usize| Some((radii.get(count - 1)? * radii.get(count)?).sqrt());
+    let folds: Vec<f64> = search.folds()?.iter().map(|fold| fold.contact_radius).collect();
+    let kinks = search.model.transform().kinks();
+    let ends = [after(&folds, FOLDS_OF_INTEGRALS), after(&kinks, KINKS_OF_INTEGRALS)];
+    Ok(ends.into_iter().flatten().reduce(f64::min))
 }
 
 /// The range of contact radii on which all folds are to be proved: far around the folds found in f64 and the kinks, and with the

@@ -17,6 +17,11 @@ use crate::answer::{Completeness, List, Number, Promise, Value};
 use crate::run::Counts;
 use crate::scene::Scene;
 
+/// The heights of a formula that a search may evaluate before its folds are proved, a second or two of work: more than any but waves without
+/// end take, of which the first folds are proved.
+#[cfg(feature = "mp")]
+const BEFORE_PROOF: u64 = 2_500_000;
+
 /// The contact in f64; its folds are searched when something needs them, and once.
 pub(crate) struct Search<'s> {
     pub(crate) scene: &'s Scene,
@@ -110,7 +115,10 @@ impl<'s> Search<'s> {
     pub(crate) fn folds(&self) -> Result<&Folds<f64>> {
         once(&self.folds, || {
             let curve = self.model.contact();
-            let mut found = folds::find(&curve)?;
+            let mut found = match self.most_heights() {
+                Some(heights) => folds::find_within(&curve, heights),
+                None => folds::find(&curve),
+            }?;
             for OutOfRangeFold { contact_radius, kind, error } in std::mem::take(&mut found.out_of_range) {
                 if !self.radii_suffice {
                     return Err(error);
@@ -121,6 +129,14 @@ impl<'s> Search<'s> {
             found.folds.sort_by(|one, other| one.contact_radius.total_cmp(&other.contact_radius));
             Ok(found)
         })
+    }
+
+    /// The most heights of the profile for a search, where a proof by integrals follows it.
+    fn most_heights(&self) -> Option<u64> {
+        #[cfg(feature = "mp")]
+        return (self.radii_suffice && self.scene.takes_integrals()).then_some(BEFORE_PROOF);
+        #[cfg(not(feature = "mp"))]
+        None
     }
 
     /// The equilibria around the folds.
