@@ -75,12 +75,14 @@ function turnPage() {
 function save() {
   saving = 0;
   const hash = address();
-  if (hash === location.hash) return;
-  ownAddress = hash;
+  // Another address that a reader has just given is about to be followed.
+  if (hash === location.hash || location.hash !== ownAddress) return;
   try {
     history[step ? 'pushState' : 'replaceState'](null, '', hash);
     step = false;
   } catch {
     location.replace(hash);
   }
+  // As the browser writes it.
+  ownAddress = location.hash;
 }

@@ -243,6 +243,7 @@ load()
   .then(() => {
     pictures();
     page();
+    ownAddress = location.hash;
     restore(location.hash);
     // For tests: what a reader can do, without a pointer.
     const state = () => ({

@@ -179,8 +179,8 @@ test('Play stops where something else is done, and a unit that is none is said i
   const page = await open(browser, '#v=0.3&unit=own', { reducedMotion: 'no-preference' });
   await page.click('#play');
   await page.evaluate(() => (location.hash = '#v=0.4&unit=own'));
-  await page.waitForTimeout(400);
-  assert.equal(await page.getAttribute('#play', 'aria-pressed'), 'false');
+  await page.waitForSelector('#play[aria-pressed="false"]', { timeout: 5000 });
+  await page.waitForFunction(() => location.hash.includes('v=0.4'), undefined, { timeout: 5000 });
   for (const [field, text, words] of [
     ['uR', '5 furlong', /“furlong” is no unit of R.*µm/],
     ['uE', 'soft', /“soft” is no number/],

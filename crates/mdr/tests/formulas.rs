@@ -351,7 +351,7 @@ fn solved_within(text: &str, seconds: f64) -> Value {
 /// Folds that a search has found are there when the budget does not suffice to prove them.
 #[test]
 fn folds_that_are_not_proved_are_doubles() {
-    let answer = solved_within(&formula("1 - cos(r)", "output = { want = [\"folds\"] }"), 4.9);
+    let answer = solved_within(&formula("1 - cos(r)", "output = { want = [\"folds\"] }"), 0.65);
     assert_eq!(answer["promise"]["folds"], "f64", "{answer}");
     assert_eq!(answer["complete"]["folds"]["undecided"], true, "{answer}");
     let why = answer["complete"]["folds"]["why"].as_str().unwrap();
@@ -359,14 +359,14 @@ fn folds_that_are_not_proved_are_doubles() {
     // The one of the paraboloid r²/2 at w/E* = 1e-4, nearly: πwR/3 of the force at the pull-off in depth is 5/6.
     let folds = answer["folds"].as_array().unwrap();
     let jkr = -std::f64::consts::PI * 1e-4 * 5.0 / 6.0;
-    assert!(folds.len() > 100 && (folds[0]["force"].as_f64().unwrap() / jkr - 1.0).abs() < 1e-3, "{}", folds[0]);
+    assert!(folds.len() > 50 && (folds[0]["force"].as_f64().unwrap() / jkr - 1.0).abs() < 1e-3, "{}", folds[0]);
 }
 
 /// Of folds that are proved, but not to all digits, those that are known are printed.
 #[test]
 fn proved_folds_have_the_digits_that_the_budget_allows() {
     let wave = formula("r^2/2 + 0.01*(1 - cos(20*r))", "output = { want = [\"folds\"], digits = 300 }");
-    let answer = solved_within(&wave, 1.3);
+    let answer = solved_within(&wave, 1.05);
     let folds = answer["folds"].as_array().unwrap();
     let digits =
         |fold: &Value| ["contact_radius", "indentation", "force"].map(|key| fold[key].as_str().expect("digits").len());
