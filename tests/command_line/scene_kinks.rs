@@ -103,13 +103,8 @@ fn what_is_no_profile_is_refused() {
 /// the tangency condition is zero by a quadrature of mpmath, and at the kink π/20.
 #[test]
 fn the_first_of_many_kinks_are_proved() {
-    const FOLDS: [f64; 5] = [
-        0.015045343423221263,
-        0.055977723125247868,
-        std::f64::consts::PI / 20.0,
-        0.2495438758760645,
-        0.303860948244236489,
-    ];
+    const FOLDS: [f64; 5] =
+        [0.015_045_343_423, 0.055_977_723_125, std::f64::consts::PI / 20.0, 0.249_543_875_876, 0.303_860_948_244];
     for (range, end) in [("folds.range = [\"1e-3\", \"0.6\"]", 0.6), ("", 2.6)] {
         let rest = format!("[output]\nwant = [\"folds\"]\ndigits = 5\n{range}");
         let text = scene("kind = \"expression\"\nformula = \"r^2/2 + 0.01*abs(sin(20*r))\"", 0.1, &rest);

@@ -124,6 +124,19 @@ pub fn find<R: Real>(curve: &Contact<R>) -> Result<Folds<R>> {
 /// The folds of a contact as [`find`] finds them, from the tip outwards, until so many heights of the profile are evaluated: those of waves
 /// without end are ever more work. Where the search ends there, [`Folds::completeness`] is doubtful.
 ///
+/// ```
+/// use mdr_core::contact::{Control, Expression, Material};
+/// use mdr_numeric::contact::Contact;
+/// use mdr_numeric::folds::{SearchQuality, find_within};
+/// use mdr_numeric::transform::Quadrature;
+/// use std::sync::Arc;
+/// let (formula, none): (Expression, _) = ("1 - cos(r)".parse()?, Default::default());
+/// let waves = Arc::new(Quadrature::new(formula.bind((), &none)?));
+/// let found = find_within(&Contact::half_space(&waves, &Material::new(1.0, 1e-4)?, &Control::Indentation), 100_000)?;
+/// assert!(found.folds.len() > 3 && found.completeness == SearchQuality::Doubtful);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Errors of [`find`].
 pub fn find_within<R: Real>(curve: &Contact<R>, heights: u64) -> Result<Folds<R>> {

@@ -154,8 +154,8 @@ impl<'s> Certified<'s> {
                 );
             }
             Ok(None) => {
-                let why = self.open.get().map(|error| format!(": {error}")).unwrap_or_default();
-                return Some(format!("; a proof was begun, and left undecided{why}"));
+                let left_open = |error| format!("; a proof was begun, and left undecided: {error}");
+                return self.open.get().map(left_open);
             }
             folds => folds.as_ref().ok()?.as_ref()?,
         };
