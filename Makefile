@@ -64,7 +64,7 @@ site:
 site-test:
 	@sh scripts/site_test.sh
 
-# Both parts of it: the second asks for a processor of its own.
+# site-test in two parts: what is timed needs a processor to itself.
 site-test-untimed:
 	@sh scripts/site_test.sh --untimed
 

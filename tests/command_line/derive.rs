@@ -35,6 +35,8 @@ fn one_entry_shows_its_steps() {
 fn a_word_is_searched_for() {
     let text = output("derive KENDALL");
     assert!(text.contains("kendall") && !text.contains("kappa-elliptic"), "{text}");
+    // In whatever case; nothing is checked for Coq.
+    assert_eq!(output("derive KENDALL --format coq"), output("derive Kendall --format coq"));
     let coq = output("derive machine --format coq");
     assert!(coq.contains("machine") && coq.len() < output("derive --format coq").len());
 }
@@ -105,4 +107,5 @@ fn an_unknown_id_has_a_nearest_one() {
 fn a_theory_is_found_by_the_letters_of_its_authors() {
     let found = output("derive jkr");
     assert!(found.contains("1.15"), "{found}");
+    assert_eq!(output("derive JKR --format coq"), output("derive jkr --format coq"));
 }

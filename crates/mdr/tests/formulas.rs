@@ -197,9 +197,11 @@ fn a_wave_as_a_formula_has_a_minimum_force() {
 /// cone of slope 1, at the radius 8w/πE*.
 #[test]
 fn a_height_whose_parts_underflow_leaves_the_start_open() {
-    for (formula, modulus, budget, first) in
-        [("sqrt(r^2 + r^4)", "1e300", 10.0, "start"), ("(r^4)^0.25", "1e200", 1.0, "undecided")]
-    {
+    for (formula, modulus, budget, first) in [
+        ("(r^2)^0.5", "1e300", 10.0, "start"),
+        ("sqrt(r^2 + r^4)", "1e200", 10.0, "start"),
+        ("(r^4)^0.25", "1e200", 1.0, "undecided"),
+    ] {
         let text = format!(
             "material = {{ e_star = \"{modulus}\", work_of_adhesion = \"1e-4\" }}
             profile = {{ kind = \"expression\", formula = \"{formula}\" }}
@@ -359,7 +361,7 @@ fn folds_that_are_not_proved_are_doubles() {
     // The one of the paraboloid r²/2 at w/E* = 1e-4, nearly: πwR/3 of the force at the pull-off in depth is 5/6.
     let folds = answer["folds"].as_array().unwrap();
     let jkr = -std::f64::consts::PI * 1e-4 * 5.0 / 6.0;
-    assert!(folds.len() > 50 && (folds[0]["force"].as_f64().unwrap() / jkr - 1.0).abs() < 1e-3, "{}", folds[0]);
+    assert!(folds.len() > 80 && (folds[0]["force"].as_f64().unwrap() / jkr - 1.0).abs() < 1e-3, "{}", folds[0]);
 }
 
 /// Of folds that are proved, but not to all digits, those that are known are printed.

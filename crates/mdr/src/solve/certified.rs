@@ -34,8 +34,8 @@ pub(crate) struct Certified<'s> {
     search: Once<Search<'s>>,
     plain: Once<Search<'s>>,
     folds: Once<Option<FoldProof>>,
-    /// Why nothing is proved of the folds.
-    open: OnceCell<Error>,
+    /// Why a proof of the folds was begun and left everything open.
+    left_open: OnceCell<Error>,
     admissibility: Once<Arc<Admissibility>>,
     formulas: Once<Option<Formulas>>,
     /// An output of which a part is proved, for where nothing else has more of it.
@@ -44,9 +44,9 @@ pub(crate) struct Certified<'s> {
 
 impl<'s> Certified<'s> {
     pub(crate) fn new(scene: &'s Scene, digits: u32, counts: &'s Counts) -> Self {
-        let (search, plain, folds) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        let (search, plain, folds, left_open) = (OnceCell::new(), OnceCell::new(), OnceCell::new(), OnceCell::new());
         let (admissibility, formulas, kept) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
-        Certified { scene, digits, counts, search, plain, folds, open: OnceCell::new(), admissibility, formulas, kept }
+        Certified { scene, digits, counts, search, plain, folds, left_open, admissibility, formulas, kept }
     }
 
     /// Keeps an output of which only a part is proved.
@@ -154,8 +154,8 @@ impl<'s> Certified<'s> {
                 );
             }
             Ok(None) => {
-                let left_open = |error| format!("; a proof was begun, and left undecided: {error}");
-                return self.open.get().map(left_open);
+                let why = |error| format!("; a proof was begun, and left undecided: {error}");
+                return self.left_open.get().map(why);
             }
             folds => folds.as_ref().ok()?.as_ref()?,
         };
@@ -241,7 +241,7 @@ impl<'s> Certified<'s> {
                 None if self.scene.is_closed() => Some(FoldProof::new(self)?),
                 None if self.scene.is_enclosed() => match FoldProof::new(self) {
                     Err(error) if proof::is_open(&error) => {
-                        let _ = self.open.set(error);
+                        let _ = self.left_open.set(error);
                         None
                     }
                     proof => Some(proof?),

@@ -27,9 +27,9 @@ const BUDGET: usize = 4_000_000;
 /// The budget between two rows of a table, where an evaluation is a sum over all rows and one fold the rule.
 const BUDGET_OF_ROWS: usize = 10_000;
 
-/// What is said where a range was chosen that ends before the last of the folds that are seen.
+/// What is said where a range was chosen that ends before the last of the folds, or of the kinks, that are seen.
 const BEYOND: &str =
-    "; beyond this range a search in f64 sees more of them or of kinks, and `folds.range` asks for them";
+    "; beyond this range a search in f64 sees more folds or kinks, and `folds.range` asks for the folds there";
 
 /// The contact over enclosures, and over enclosures with derivatives.
 pub(crate) struct Enclosed {

@@ -26,7 +26,7 @@ const OF_THE_REST: f64 = 8.0;
 /// So many folds are proved where g is an integral: those of waves without end are ever more work.
 #[cfg(feature = "mp")]
 const FOLDS_OF_INTEGRALS: usize = 8;
-/// So many kinks lie within where g is an integral: each cuts all integrals beyond it.
+/// Folds are proved up to so many kinks where g is an integral: each kink cuts all integrals beyond it.
 #[cfg(feature = "mp")]
 const KINKS_OF_INTEGRALS: usize = 16;
 /// How close to the outer radius of a profile.
@@ -65,7 +65,7 @@ pub(crate) struct Range {
     pub(crate) is_limit: bool,
 }
 
-/// Where the proof of folds ends where g is an integral, if there are more of them, or more kinks, than it should see: between two of them.
+/// Where the proof of folds ends where g is an integral, if there are more folds or kinks than it should see: between two of them.
 ///
 /// # Errors
 /// Errors of the search for folds.
