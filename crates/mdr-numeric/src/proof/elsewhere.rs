@@ -6,6 +6,7 @@ use mdr_core::number::{Interval, Real};
 use rug::Float;
 
 use super::ends::{FAR, octave};
+use super::kinks::beside;
 use super::overlap::{Outside, Place};
 
 /// The most cells outside a contact or a ring,
@@ -96,7 +97,8 @@ impl Outside<'_> {
         let kinks = transform.kinks();
         let mut within = kinks.iter().enumerate().filter(|(_, kink)| kink.overlaps(cell));
         let (Some((index, kink)), None) = (within.next(), within.next()) else { return false };
-        least_beside(transform, index, kink, cell).is_some_and(|least| least.lower() >= d.upper())
+        beside(transform, index, kink, cell)
+            .is_some_and(|[least, _]| least.is_some_and(|least| least.lower() >= d.upper()))
     }
 
     /// What is certain of the gap on a cell outside the contact.
@@ -171,21 +173,4 @@ fn least_before_end(transform: &dyn Transform<Interval>, cell: &Interval) -> Opt
         *known.inside.least?.lower() >= 0
     };
     rises.then(|| transform.g(&start).ok())?
-}
-
-/// A lower bound of g on a cell that holds one kink, from g there and the slopes on both sides.
-fn least_beside(
-    transform: &dyn Transform<Interval>,
-    index: usize,
-    kink: &Interval,
-    cell: &Interval,
-) -> Option<Interval> {
-    let [before, after] = [cell.lower(), cell.upper()].map(|end| (Interval::point(end.clone()) - kink).abs());
-    let margin = (before.greater(&after) / kink).upper().clone();
-    let known = transform.kink(index, &Interval::point(margin)).ok()??;
-    let (g, _) = known.value?;
-    let zero = g.lit(0);
-    let inside = g.clone() - known.inside.greatest?.greater(&zero) * before;
-    let outside = g + known.outside.least?.lesser(&zero) * after;
-    Some(inside.lesser(&outside))
 }

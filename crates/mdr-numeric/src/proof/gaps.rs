@@ -8,6 +8,7 @@ use mdr_core::number::Interval;
 use super::continuation::Continuation;
 use super::elsewhere::{HEIGHTS, Seen};
 use super::overlap::{Outside, Place};
+use super::staircase::{Staircases, State, TERMS_OF_HEIGHT};
 use crate::admissible::GapVerdict;
 use crate::contact::Contact;
 use crate::recent::Recent;
@@ -45,6 +46,8 @@ pub struct EnclosedGaps {
     /// The budget from which heights are paid, and what each costs.
     budget: Option<(Arc<Budget>, u64)>,
     kept: Recent<(Place, GapVerdict)>,
+    /// In place of integrals over the profile.
+    staircases: Option<Staircases>,
 }
 
 impl EnclosedGaps {
@@ -52,13 +55,20 @@ impl EnclosedGaps {
     /// [`Error::Domain`](mdr_core::contact::Error::Domain) on another medium than a half-space.
     pub fn new(contact: Contact<Interval>, profile: Option<Continuation>) -> Result<Self> {
         super::check_half_space(&contact)?;
-        Ok(EnclosedGaps { contact, profile, budget: None, kept: Recent::up_to(KEPT) })
+        Ok(EnclosedGaps { contact, profile, budget: None, kept: Recent::up_to(KEPT), staircases: None })
     }
 
     /// The gaps, with a budget from which each height of the profile is paid by its `weight`; once it is spent nothing is decided.
     #[must_use]
     pub fn within(self, budget: &Arc<Budget>, weight: u64) -> Self {
         EnclosedGaps { budget: Some((Arc::clone(budget), weight)), ..self }
+    }
+
+    /// The gaps from bounds of g on cells, without integrals over f: for a profile of many pieces whose g is quick, as a table. A gap
+    /// that is all but closed is then left undecided.
+    #[must_use]
+    pub fn by_staircases(self) -> Self {
+        EnclosedGaps { staircases: Some(Staircases::new()), ..self }
     }
 
     /// Whether a contact of radius a at the indentation d is admissible, as far as it is proved: no gap outside it is negative up to
@@ -73,10 +83,9 @@ impl EnclosedGaps {
             return known;
         }
         let is_limited = self.heights() < HEIGHTS;
-        let verdict = match self.spending(&place, |outside, place| outside.look_everywhere(place)) {
-            Some(Seen::Open) => GapVerdict::Admissible,
-            Some(Seen::Closed { radius, gap }) => GapVerdict::Interpenetrating { radius, gap },
-            _ => GapVerdict::Undecided(NOT_DECIDED),
+        let verdict = match &self.staircases {
+            Some(staircases) => self.above(staircases, State::new(a, d)),
+            None => self.outside(&place),
         };
         if is_limited && matches!(verdict, GapVerdict::Undecided(_)) {
             // A larger budget may decide more.
@@ -84,6 +93,27 @@ impl EnclosedGaps {
         }
         self.kept.keep((place, verdict));
         verdict
+    }
+
+    /// The verdict by integrals over f.
+    fn outside(&self, place: &Place) -> GapVerdict {
+        match self.spending(place, |outside, place| outside.look_everywhere(place)) {
+            Some(Seen::Open) => GapVerdict::Admissible,
+            Some(Seen::Closed { radius, gap }) => GapVerdict::Interpenetrating { radius, gap },
+            _ => GapVerdict::Undecided(NOT_DECIDED),
+        }
+    }
+
+    /// The verdict by bounds of g.
+    fn above(&self, staircases: &Staircases, state: State) -> GapVerdict {
+        if self.heights() == 0 {
+            return GapVerdict::Undecided(NOT_DECIDED);
+        }
+        let (are_open, terms) = staircases.are_open(self.contact.transform(), state);
+        if let Some((budget, weight)) = &self.budget {
+            budget.spend(weight.saturating_mul(terms / TERMS_OF_HEIGHT));
+        }
+        if are_open { GapVerdict::Admissible } else { GapVerdict::Undecided(NOT_DECIDED) }
     }
 
     /// The verdict on a place that holds this one, or that no verdict was found for one that is nearly this.
@@ -116,6 +146,10 @@ impl EnclosedGaps {
 
     /// The gap at a radius, if it is proved that it is negative.
     pub fn overlap(&self, a: &Interval, d: &Interval, r: f64) -> Option<f64> {
+        let by_bounds = |staircases: &Staircases| staircases.overlap(self.contact.transform(), State::new(a, d), r);
+        if let Some(gap) = self.staircases.as_ref().and_then(by_bounds) {
+            return Some(gap);
+        }
         let place = Place { a: a.clone(), d: d.clone() }.rough();
         self.spending(&place, |outside, place| outside.overlap(place, r))?
     }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Fold, FoldKind, Kink, Result, Slopes};
+use mdr_core::contact::{Fold, FoldKind, Kink, Result, Slopes, Transform};
 use mdr_core::number::{Interval, Real};
 use rug::Float;
 use rug::float::Special;
@@ -219,4 +219,27 @@ fn pole(radius: Interval, kind: FoldKind) -> Fold<Interval> {
 pub(super) fn shifted(radius: &Float, direction: i32, margin: u32) -> Float {
     let step = Float::with_val(radius.prec(), radius >> margin) * direction;
     Float::with_val(radius.prec().max(margin + FINEST), radius + step)
+}
+
+/// The least and the greatest g on a cell that holds one kink, from g there and the slopes on both sides.
+pub(super) fn beside(
+    transform: &dyn Transform<Interval>,
+    index: usize,
+    kink: &Interval,
+    cell: &Interval,
+) -> Option<[Option<Interval>; 2]> {
+    let [before, after] = [cell.lower(), cell.upper()].map(|end| (Interval::point(end.clone()) - kink).abs());
+    let margin = (before.greater(&after) / kink).upper().clone();
+    let Kink { value, inside, outside } = transform.kink(index, &Interval::point(margin)).ok()??;
+    let (g, _) = value?;
+    let zero = g.lit(0);
+    let least = inside.greatest.zip(outside.least).map(|(inside, outside)| {
+        let inside = g.clone() - inside.greater(&zero) * &before;
+        inside.lesser(&(g.clone() + outside.lesser(&zero) * &after))
+    });
+    let greatest = inside.least.zip(outside.greatest).map(|(inside, outside)| {
+        let inside = g.clone() - inside.lesser(&zero) * &before;
+        inside.greater(&(g.clone() + outside.greater(&zero) * &after))
+    });
+    Some([least, greatest])
 }

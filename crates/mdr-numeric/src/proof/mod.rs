@@ -27,6 +27,7 @@ mod overlap;
 mod pull_off;
 mod range;
 mod squares;
+mod staircase;
 mod stretch;
 
 pub use branches::ProvedBranches;

@@ -8,7 +8,7 @@ use mdr_numeric::proof::{EnclosedCurve, EnclosedGaps, ProvedFolds, rises_from};
 use rug::Float;
 use rug::float::Round;
 
-use super::certified::Certified;
+use super::certified::{Certified, PROVED_ROWS};
 use super::digits::start;
 use super::model::{Model, SceneReal};
 use super::sample::{self, Range};
@@ -175,16 +175,14 @@ pub(super) fn of_proved_rise(certified: &Certified<'_>) -> Result<Option<Admissi
     Ok(extrema.is_some_and(|extrema| extrema.is_empty()).then(Admissibility::of_proved_rise))
 }
 
-/// Enclosures of the gap outside a contact on a half-space; `None` of a table.
+/// Enclosures of the gap outside a contact on a half-space; `None` of a table of many rows, or with one in a sum.
 ///
 /// # Errors
 /// Errors of the transform; a parameter out of its domain.
 pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
     let scene = certified.scene;
-    if !scene.pressed_into().is_half_space() || !(scene.is_closed() || scene.is_enclosed()) {
-        return Ok(None);
-    }
-    if scene.profile.rows().is_some() {
+    let is_table = scene.exact_rows().is_some_and(|rows| rows <= PROVED_ROWS);
+    if !scene.pressed_into().is_half_space() || !(scene.is_closed() || scene.is_enclosed() || is_table) {
         return Ok(None);
     }
     let precision = Precision::new(ISOLATION);
@@ -194,7 +192,8 @@ pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
     };
     let contact = Enclosed::new(certified, precision)?.value.contact();
     let weight = weight_of_height(&scene.profile, Interval::INDEX, ISOLATION);
-    EnclosedGaps::new(contact, profile).map(|gaps| Some(gaps.within(certified.counts[0].budget(), weight)))
+    let gaps = EnclosedGaps::new(contact, profile)?.within(certified.counts[0].budget(), weight);
+    Ok(Some(if is_table { gaps.by_staircases() } else { gaps }))
 }
 
 /// Why folds are all, or are not.
