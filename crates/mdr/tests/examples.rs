@@ -36,22 +36,23 @@ fn certified_answers_are_those_of_the_command_line() {
     }
 }
 
-/// Which states are admissible is proved as every digit is, for shapes whose g falls as well, whose gap is enclosed.
+/// Which states are admissible is proved as every digit is, for shapes and a table whose g falls as well, whose gap is enclosed.
 #[cfg(feature = "mp")]
 #[test]
 fn which_states_are_admissible_is_proved() {
     let mut falling = 0;
     for name in names() {
-        let scene = scene(&name).arithmetic(Arithmetic::Certified { digits: 20 });
-        if name.contains("table") {
+        // Its rows are rough, and their folds many.
+        if name == "table" {
             continue;
         }
+        let scene = scene(&name).arithmetic(Arithmetic::Certified { digits: 20 });
         let answer: Json = serde_json::from_str(&scene.solve().unwrap().to_json()).unwrap();
         let Some(promise) = answer["promise"].get("admissible") else { continue };
         assert_eq!(promise, "certified", "{name}");
         falling += usize::from(answer["admissibility"].as_str().unwrap().contains("enclosures of the gap"));
     }
-    assert_eq!(falling, 5);
+    assert_eq!(falling, 6);
 }
 
 /// Up to the end of a profile g rises, as towards the equator of a sphere, where it diverges: no gap closes there.
