@@ -124,6 +124,43 @@ fn pull_off_of_a_table_is_proved() {
     }
 }
 
+/// The cubic through rows of a paraboloid is the paraboloid: what is proved of a sum with such a table is what is proved of the sum of shapes,
+/// to the last digit.
+#[test]
+fn a_sum_with_a_table_is_proved() {
+    let file = table("paraboloid.csv", (0..=30).map(|i| (f64::from(i), format!("{}", f64::from(i * i) / 40.0))));
+    let of = |first: &str| {
+        let scene = format!(
+            "material = {{ e_star = 1e9, work_of_adhesion = 0.1 }}\n\
+             control = {{ kind = \"force\", path = [0, -1e-6] }}\n\
+             [profile]\nkind = \"sum\"\nterm = [{{ {first} }}, {{ kind = \"wavy-paraboloid\", radius = \"1 um\", \
+             amplitude = \"0.2 nm\", wavelength = \"7 nm\" }}]\n\
+             [output]\nwant = [\"folds\", \"path\", \"transform\", \"curve\"]\ndigits = 12\n\
+             transform.at = [\"3.5e-9\", \"12.3e-9\"]\ncurve.at = [\"6.5e-9\"]\n"
+        );
+        solved(&scene, "")
+    };
+    let (tables, shapes) =
+        (of(&format!("kind = \"table\", file = \"{file}\"")), of("kind = \"paraboloid\", radius = \"20 nm\""));
+    for answer in [&tables, &shapes] {
+        let promises = answer["promise"].as_object().unwrap();
+        assert!(promises.len() == 5 && promises.values().all(|promise| promise == "certified"), "{promises:?}");
+    }
+    let within = |fold: &&Value| number(&fold["contact_radius"]) < 30e-9;
+    let [some, all] =
+        [&tables, &shapes].map(|answer| answer["folds"].as_array().unwrap().iter().filter(within).collect::<Vec<_>>());
+    assert!(!some.is_empty() && some == all, "{some:?} {all:?}");
+    for output in ["path", "transform", "curve"] {
+        assert_eq!(tables[output], shapes[output], "{output}");
+    }
+    // At a row the transform is that of doubles.
+    let at_row = scene(&file, "", "want = [\"transform\"], digits = 12, transform.at = [\"4e-9\"]");
+    let answer = solved(&at_row, "");
+    assert_eq!(answer["promise"]["transform"], "f64");
+    // Three roundings of the heights, of g and of the decimals.
+    assert!((number(&answer["transform"][0]["g"]) / 8e-10 - 1.0).abs() < 3.0 * f64::EPSILON, "{answer}");
+}
+
 /// Noise makes rings that adhere: that is said, with the forces that smoothing leads to, and a stated length leads to the
 /// ideal one.
 #[test]

@@ -149,7 +149,7 @@ pub(crate) fn of(scene: &Scene, counts: &Counts) -> Result<Option<Validity>> {
     let scene = &scene.clone().control(Control::Force);
     Ok(Some(match scene.arithmetic {
         #[cfg(feature = "mp")]
-        crate::scene::Arithmetic::Certified { digits } if digits::has_proofs(scene) => {
+        crate::scene::Arithmetic::Certified { digits } if scene.has_proofs() => {
             digits::of(scene, range, digits, counts)?
         }
         _ => Found::new(scene, range, Search::new(scene, counts)?)?.in_doubles()?,

@@ -83,10 +83,13 @@ impl<'w> IsRoom<'w> for Room<'w> {
     /// Proved where g has enclosures.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if !certified.scene.is_enclosed() {
+        if !certified.scene.has_proofs() {
             return Ok(None);
         }
         let radii = self.radii(|| certified.search())?;
+        if !certified.scene.encloses_at(&radii) {
+            return Ok(None);
+        }
         let items = certified.proved(|precision| {
             let model = certified.model::<Interval>(precision)?;
             Ok(points(&model, &radii, &*certified.admissibility()?)?.convert(Enclosure::from))

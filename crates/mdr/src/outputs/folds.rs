@@ -96,7 +96,7 @@ fn no_range(scene: &Scene, kind: OutputKind, _drawn: bool) -> Option<&'static st
         return Some("the folds of a power law are a closed form, on all radii");
     }
     let searched = !scene.is_enclosed() && scene.exact_rows().is_none();
-    searched.then_some("folds of a sum with a table, or of a quadrature, are searched, not proved")
+    searched.then_some("folds of a function, of a table on this medium, or of a quadrature, are searched, not proved")
 }
 
 pub(super) struct Room<'w> {

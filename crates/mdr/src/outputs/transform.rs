@@ -60,7 +60,7 @@ impl<'w> IsRoom<'w> for Room<'w> {
     /// Proved where g has enclosures.
     #[cfg(feature = "mp")]
     fn proved(&self, certified: &Certified<'_>) -> Result<Option<Output>> {
-        if !certified.scene.is_enclosed() {
+        if !certified.scene.encloses_at(self.at) {
             return Ok(None);
         }
         let items = certified.proved(|precision| {

@@ -222,9 +222,15 @@ impl Profile {
         }
     }
 
-    /// The rows of a table.
+    /// The rows of a table, or of all tables in a sum whose other terms can be enclosed.
     pub fn rows(&self) -> Option<usize> {
-        if let Profile::Table(measured) = self { Some(measured.table.rows().len()) } else { None }
+        match self {
+            Profile::Table(measured) => Some(measured.table.rows().len()),
+            Profile::Sum(terms) if terms.iter().all(|term| term.is_enclosed() || term.rows().is_some()) => {
+                terms.iter().filter_map(Profile::rows).reduce(|sum, rows| sum + rows)
+            }
+            _ => None,
+        }
     }
 
     /// The tables in it.

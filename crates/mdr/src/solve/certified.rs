@@ -15,16 +15,13 @@ use super::digits::{MOST, MOST_OF_DECISIONS, MOST_OF_INTEGRALS, decide_within, s
 use super::model::{Model, SceneReal};
 use super::proof::{self, FoldProof};
 use super::rigorous::{Formulas, with_energies, without_energies};
+use super::rows::PROVED_ROWS;
 use super::search::Search;
 use super::{Once, once};
 use crate::answer::record::Numbers;
 use crate::answer::{Number, Output};
 use crate::run::Counts;
 use crate::scene::Scene;
-
-/// Up to this many rows the folds of a table are proved, and within the budget also those of rough ones: the cost grows with the rows and with
-/// the folds.
-pub(crate) const PROVED_ROWS: usize = 1000;
 
 /// Answers a scene with certified digits. An f64 search supplies starting points and never contributes a digit.
 pub(crate) struct Certified<'s> {
@@ -183,7 +180,7 @@ impl<'s> Certified<'s> {
         if self.scene.is_closed() {
             return self.decide(f).map(Some);
         }
-        if !self.scene.is_enclosed() {
+        if !self.scene.has_proofs() {
             return Ok(None);
         }
         proof::decided(decide_within(MOST_OF_INTEGRALS, start(self.digits), self.digits, f))
@@ -246,7 +243,7 @@ impl<'s> Certified<'s> {
                     }
                     proof => Some(proof?),
                 },
-                Some(rows) if rows <= PROVED_ROWS => Some(FoldProof::new(self)?),
+                Some(_) if self.scene.is_short_table() => Some(FoldProof::new(self)?),
                 _ => None,
             })
         });

@@ -186,11 +186,6 @@ impl Scene {
             _ => false,
         }
     }
-
-    /// The rows of a table, where its transform is measured exactly: on a half-space.
-    pub(crate) fn exact_rows(&self) -> Option<usize> {
-        self.profile.rows().filter(|_| self.medium.is_half_space())
-    }
 }
 
 /// A profile as a sum of powers C rⁿ: n and C of each; `None` for another profile.

@@ -34,6 +34,7 @@ mod provider;
 #[cfg(feature = "mp")]
 pub(crate) mod rigorous;
 mod roughness;
+pub(crate) mod rows;
 pub(crate) mod sample;
 pub(crate) mod search;
 pub(crate) mod states;

@@ -8,7 +8,7 @@ use mdr_numeric::proof::{EnclosedCurve, EnclosedGaps, ProvedFolds, rises_from};
 use rug::Float;
 use rug::float::Round;
 
-use super::certified::{Certified, PROVED_ROWS};
+use super::certified::Certified;
 use super::digits::start;
 use super::model::{Model, SceneReal};
 use super::sample::{self, Range};
@@ -175,14 +175,13 @@ pub(super) fn of_proved_rise(certified: &Certified<'_>) -> Result<Option<Admissi
     Ok(extrema.is_some_and(|extrema| extrema.is_empty()).then(Admissibility::of_proved_rise))
 }
 
-/// Enclosures of the gap outside a contact on a half-space; `None` of a table of many rows, or with one in a sum.
+/// Enclosures of the gap outside a contact on a half-space; `None` of a table of many rows, and of a function.
 ///
 /// # Errors
 /// Errors of the transform; a parameter out of its domain.
 pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
     let scene = certified.scene;
-    let is_table = scene.exact_rows().is_some_and(|rows| rows <= PROVED_ROWS);
-    if !scene.pressed_into().is_half_space() || !(scene.is_closed() || scene.is_enclosed() || is_table) {
+    if !scene.pressed_into().is_half_space() || !scene.has_proofs() {
         return Ok(None);
     }
     let precision = Precision::new(ISOLATION);
@@ -193,7 +192,7 @@ pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
     let contact = Enclosed::new(certified, precision)?.value.contact();
     let weight = weight_of_height(&scene.profile, Interval::INDEX, ISOLATION);
     let gaps = EnclosedGaps::new(contact, profile)?.within(certified.counts[0].budget(), weight);
-    Ok(Some(if is_table { gaps.by_staircases() } else { gaps }))
+    Ok(Some(if scene.is_short_table() { gaps.by_staircases() } else { gaps }))
 }
 
 /// Why folds are all, or are not.

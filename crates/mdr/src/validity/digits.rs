@@ -11,7 +11,6 @@ use crate::answer::Value;
 use crate::answer::record::Numbers;
 use crate::run::{Counts, lack};
 use crate::scene::Scene;
-use crate::solve::certified::PROVED_ROWS;
 use crate::solve::digits::{MOST_OF_INTEGRALS, decide_within, start};
 use crate::solve::model::Model;
 use crate::solve::proof::decided;
@@ -20,11 +19,6 @@ use crate::solve::search::Search;
 
 /// Bits within which a fold is that of f64.
 const SAME_FOLD: i64 = 30;
-
-/// Whether the profile of a scene can be enclosed: as a closed form, a formula or a table of not too many rows.
-pub(super) fn has_proofs(scene: &Scene) -> bool {
-    scene.is_closed() || scene.is_enclosed() || scene.exact_rows().is_some_and(|rows| rows <= PROVED_ROWS)
-}
 
 /// The validity of a scene whose g can be enclosed.
 ///
