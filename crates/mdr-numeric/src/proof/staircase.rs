@@ -136,7 +136,7 @@ impl Stair<'_> {
         self.cells.get(first).is_some_and(|cell| cell.from <= self.state.a[0]).then_some(first)
     }
 
-    /// Those of some radii at which it is not certain that the gap is open.
+    /// The radii, of those that are asked for, at which it is not certain that the gap is open.
     fn not_open(&mut self, radii: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
         let Some(first) = self.first() else { return radii };
         let mut left: Vec<[f64; 2]> = Vec::new();
