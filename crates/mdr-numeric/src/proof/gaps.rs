@@ -84,7 +84,7 @@ impl EnclosedGaps {
         }
         let is_limited = self.heights() < HEIGHTS;
         let verdict = match &self.staircases {
-            Some(staircases) => self.above(staircases, State::new(a, d)),
+            Some(staircases) => self.above(staircases, &place),
             None => self.outside(&place),
         };
         if is_limited && matches!(verdict, GapVerdict::Undecided(_)) {
@@ -105,11 +105,11 @@ impl EnclosedGaps {
     }
 
     /// The verdict by bounds of g.
-    fn above(&self, staircases: &Staircases, state: State) -> GapVerdict {
+    fn above(&self, staircases: &Staircases, place: &Place) -> GapVerdict {
         if self.heights() == 0 {
             return GapVerdict::Undecided(NOT_DECIDED);
         }
-        let (are_open, terms) = staircases.are_open(self.contact.transform(), state);
+        let (are_open, terms) = staircases.are_open(self.contact.transform(), State::of(place));
         if let Some((budget, weight)) = &self.budget {
             budget.spend(weight.saturating_mul(terms / TERMS_OF_HEIGHT));
         }
@@ -146,11 +146,11 @@ impl EnclosedGaps {
 
     /// The gap at a radius, if it is proved that it is negative.
     pub fn overlap(&self, a: &Interval, d: &Interval, r: f64) -> Option<f64> {
-        let by_bounds = |staircases: &Staircases| staircases.overlap(self.contact.transform(), State::new(a, d), r);
+        let place = Place { a: a.clone(), d: d.clone() }.rough();
+        let by_bounds = |staircases: &Staircases| staircases.overlap(self.contact.transform(), State::of(&place), r);
         if let Some(gap) = self.staircases.as_ref().and_then(by_bounds) {
             return Some(gap);
         }
-        let place = Place { a: a.clone(), d: d.clone() }.rough();
         self.spending(&place, |outside, place| outside.overlap(place, r))?
     }
 

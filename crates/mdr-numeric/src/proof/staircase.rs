@@ -15,6 +15,7 @@ use mdr_core::number::{Interval, Precision, Real};
 use rug::float::Round;
 
 use super::kinks::beside;
+use super::overlap::Place;
 
 /// Cells of each staircase, of which the finer ones are made when a state needs them.
 const LEVELS: [usize; 3] = [1 << 9, 1 << 11, 1 << 13];
@@ -26,8 +27,8 @@ const PARTS_OF_OCTAVE: usize = 8;
 const HALVINGS: u32 = 10;
 /// The most terms of all sums for a state, by each staircase: about a fifth of a second.
 const TERMS: u64 = 1 << 24;
-/// Terms that cost as much as a height of a profile.
-pub(super) const TERMS_OF_HEIGHT: u64 = 1 << 9;
+/// Terms that cost as much as a height of a table.
+pub(super) const TERMS_OF_HEIGHT: u64 = 1 << 14;
 /// Roundings of one term, in units of 2⁻⁵².
 const ROUNDINGS: f64 = 16.0;
 /// Sums below this may have lost something to underflow.
@@ -83,8 +84,9 @@ pub(super) struct State {
 }
 
 impl State {
-    pub(super) fn new(a: &Interval, d: &Interval) -> Self {
-        let [a, d] = [a, d].map(|x| [x.lower().to_f64_round(Round::Down), x.upper().to_f64_round(Round::Up)]);
+    pub(super) fn of(place: &Place) -> Self {
+        let [a, d] =
+            [&place.a, &place.d].map(|x| [x.lower().to_f64_round(Round::Down), x.upper().to_f64_round(Round::Up)]);
         State { a, d }
     }
 }

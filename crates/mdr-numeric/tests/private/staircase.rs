@@ -5,7 +5,7 @@ use std::sync::Arc;
 use mdr_core::contact::{Control, Material};
 
 use super::super::continuation::Continuation;
-use super::super::overlap::{Outside, Place};
+use super::super::overlap::Outside;
 use super::*;
 use crate::contact::Contact;
 use crate::table::Table;
@@ -62,7 +62,7 @@ fn bounds_hold_the_gap_by_integrals_over_f() {
         let place = case.place(a, deeper);
         let mut narrowest = f64::INFINITY;
         for level in 0..LEVELS.len() - 1 {
-            let stair = case.staircases.stair(level, case.contact.transform(), State::new(&place.a, &place.d));
+            let stair = case.staircases.stair(level, case.contact.transform(), State::of(&place));
             let (first, d) = (stair.first().expect("beyond the tip"), stair.state.d[1]);
             let mut widest = 0f64;
             for share in 1..10 {
@@ -111,7 +111,12 @@ fn weights_are_those_of_arcs() {
     let a = number(0.11).hull(&number(0.12));
     for heights in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [2.0, -1.0], [-1.0, 2.0]] {
         let cells = [step([0.1, 0.2], heights[0]), step([0.2, 0.4], heights[1])];
-        let stair = Stair { transform: &transform, cells: &cells, state: State::new(&a, &number(0.0)), terms: 0 };
+        let stair = Stair {
+            transform: &transform,
+            cells: &cells,
+            state: State::of(&Place { a: a.clone(), d: number(0.0) }),
+            terms: 0,
+        };
         for radii in [[0.2, 0.4], [0.21, 0.3], [0.25, 0.25], [0.35, 0.4]] {
             let exact = |r: f64, a: f64| {
                 let arc = |from: f64, to: f64| (to / r).asin() - (from / r).asin();
@@ -132,7 +137,7 @@ fn open_gaps_and_overlaps_are_told_apart() {
     let transform = case.contact.transform();
     for (a, open, overlap) in [(0.17, true, None), (0.6, false, Some(0.8)), (0.61, false, Some(0.8))] {
         let place = case.place(a, 0.0);
-        let state = State::new(&place.a, &place.d);
+        let state = State::of(&place);
         let radii = (1..100).map(|share| a + (1.299 - a) * f64::from(share) / 100.0);
         let least = radii.map(|r| case.gap(&place, r).approx()).fold(f64::INFINITY, f64::min);
         assert_eq!(least > 0.0, open, "{a}: {least}");
