@@ -236,15 +236,21 @@ fn intervals_beyond_what_is_narrow_are_cut_below() {
             let slope = values.slope(&over).unwrap();
             assert!(!slope.contains_zero() && wide.value.overlaps(&slope), "{formula} over {over}: {slope}");
             assert!(!wide.slope.contains_zero(), "{formula} over {over}: {}", wide.slope);
+            let [g, mean] = [values.g(&over), values.mean(&over)].map(Result::unwrap);
             for share in 0..=4 {
-                let at = number(from, 64) + (number(to, 64) - number(from, 64)).times(share).over(4);
-                let at = slopes.slope(&Dual::variable(at.midpoint())).unwrap();
+                let radius = number(from, 64) + (number(to, 64) - number(from, 64)).times(share).over(4);
+                let radius = radius.midpoint();
+                let at = slopes.slope(&Dual::variable(radius.clone())).unwrap();
                 assert!(
                     slope.overlaps(&at.value) && wide.value.overlaps(&at.value),
                     "{formula}: {slope} without {}",
                     at.value
                 );
                 assert!(wide.slope.overlaps(&at.slope), "{formula}: {} without {}", wide.slope, at.slope);
+                let narrow = [values.g(&radius), values.mean(&radius)].map(Result::unwrap);
+                for (wide, narrow) in [&g, &mean].into_iter().zip(narrow) {
+                    assert!(wide.accuracy_bits() > 0 && wide.overlaps(&narrow), "{formula}: {wide} without {narrow}");
+                }
             }
         }
     }
@@ -284,8 +290,8 @@ pub(crate) fn all_folds(formula: &str) -> Vec<(FoldKind, f64)> {
     let material = Material::new(Dual::constant(one.clone()), Dual::constant(work.clone())).unwrap();
     let moving = Contact::half_space(&moving, &material, &Control::Indentation);
     let plain = Contact::half_space(&plain, &Material::new(one, work).unwrap(), &Control::Indentation);
-    let found =
-        EnclosedCurve::new(plain, moving).folds(number("1e-6", 64).lower(), number("1", 64).lower(), 2000).unwrap();
+    let curve = EnclosedCurve::new(plain, moving).by_integrals();
+    let found = curve.folds(number("1e-6", 64).lower(), number("1", 64).lower(), 2000).unwrap();
     assert!(found.is_complete(), "{:?}", found.undecided);
     found.folds.iter().map(|fold| (fold.kind, fold.contact_radius.approx())).collect()
 }
@@ -301,6 +307,30 @@ fn folds_of_a_kinked_formula_are_proved() {
     let share: f64 = 0.1 / beyond;
     let slope = 2.0 * beyond - 0.1 * share.acos() - 0.1 * share / (1.0 - share * share).sqrt();
     assert!((kink - 0.1).abs() < 1e-16 && slope.abs() < 1e-5, "{folds:?} {slope}");
+}
+
+/// A dip of width s at c leaves g = x² before it. Beside it g' is that of −W e^(−ρ²), ρ = (r − c)/s, on a line: zero where
+/// ∫ φ''(ξ − t²) dt = 0 over t > 0, φ = e^(−ρ²). Far from it, where W s √π is all that counts, g is that of a ring of that weight at c.
+#[test]
+fn folds_beside_a_narrow_dip_are_all_found() {
+    const C: f64 = 0.5037;
+    // By mpmath, as zeros of its quadrature.
+    const BESIDE: [f64; 2] = [-0.389_513_340_025, 1.234_772_876_095];
+    for s in [1e-5_f64, 1e-7, 1e-9] {
+        let folds = all_folds(&format!("r^2/2 - 0.2*(exp(-((r - 0.5037)/{s:e})^2) - exp(-(0.5037/{s:e})^2))"));
+        let [_, (FoldKind::Maximum, before), (_, inside), (_, outside), (FoldKind::Minimum, far)] = folds[..] else {
+            panic!("{folds:?}")
+        };
+        assert!(before < C && before > C - 9.0 * s, "{folds:?}");
+        for (found, expected) in [inside, outside].into_iter().zip(BESIDE) {
+            assert!(((found - C) / s - expected).abs() < 1e-4 + 1e-15 / s, "{found}");
+        }
+        // g' = 2x + W s √π c ((x² − c²)^(−3/2) − 3x² (x² − c²)^(−5/2))
+        let square = far * far - C * C;
+        let ring = 0.2 * s * std::f64::consts::PI.sqrt() * C;
+        let slope = ring * (3.0 * far * far / square - 1.0) / square.powf(1.5);
+        assert!((slope / (2.0 * far) - 1.0).abs() < 1e-4, "{far}: {slope}");
+    }
 }
 
 /// A formula on a medium, over enclosures and over numbers of many bits: by another variable of integration and another rule.

@@ -322,23 +322,36 @@ fn best_rule(
 /// M of each function on an ellipse; `None` if one is not shown to be analytic. The upper half of the rectangle around it
 /// is enough, as f takes conjugate values at conjugate points.
 fn bounds(f: &impl Sampled, middle: &Float, half: &Float, rho: f64) -> Option<Vec<Float>> {
+    fn diagonals<I: Ends>(images: &[Rectangle<I>]) -> Option<Vec<Float>> {
+        images.iter().map(|image| Some(half_diagonal(image)?.most())).collect()
+    }
+    let ellipse = ellipse(middle, half, rho);
+    if f.is_moderate() {
+        diagonals(&f.image_in_doubles(&in_doubles(&ellipse))?)
+    } else {
+        diagonals(&f.image(&ellipse)?)
+    }
+}
+
+/// The upper half of a rectangle around an ellipse.
+pub(super) fn ellipse(middle: &Float, half: &Float, rho: f64) -> Rectangle {
     // Half-axes rounded up by more than their roundings.
     let axis = |sign: f64| rounded!(Up, half * ((rho + sign / rho) / 2.0 * (1.0 + 1e-7)));
     let [long, short] = [axis(1.0), axis(-1.0)];
     let re = Interval::new(rounded!(Down, middle - &long), rounded!(Up, middle + &long));
-    let ellipse = Rectangle::new(re, Interval::new(Float::new(BOUND_BITS), short));
-    if f.is_moderate() {
-        let in_doubles = Rectangle::new(DoubleInterval::around(ellipse.re()), DoubleInterval::around(ellipse.im()));
-        return f.image_in_doubles(&in_doubles)?.iter().map(half_diagonal).collect();
-    }
-    f.image(&ellipse)?.iter().map(half_diagonal).collect()
+    Rectangle::new(re, Interval::new(Float::new(BOUND_BITS), short))
 }
 
-/// Half the diagonal of a rectangle, rounded up; `None` if it is not finite.
-fn half_diagonal<I: Ends>(value: &Rectangle<I>) -> Option<Float> {
+/// A rectangle in doubles.
+pub(super) fn in_doubles(rectangle: &Rectangle) -> Rectangle<DoubleInterval> {
+    Rectangle::new(DoubleInterval::around(rectangle.re()), DoubleInterval::around(rectangle.im()))
+}
+
+/// Half the diagonal of a rectangle and its conjugate, as an upper end; `None` if it is not finite.
+pub(super) fn half_diagonal<I: Ends>(value: &Rectangle<I>) -> Option<I> {
     let ([left, right], [_, far]) = (value.re().ends(), value.im().abs().ends());
     let bound = (right - left).over(2).hypot(&far);
-    bound.is_finite().then(|| bound.most())
+    bound.is_finite().then_some(bound)
 }
 
 /// Nodes for which the remainders are within tolerances, in steps of about √2, so that few rules are made.

@@ -68,10 +68,20 @@ pub fn isolate<R: Real>(
     f: impl FnMut(&R) -> Result<R>,
     test: impl FnMut(&R, &R) -> Result<Behaviour>,
 ) -> Result<Isolation<R>> {
-    isolate_each(lower, upper, budget, f, test, |_| Ok(()))
+    let limits = Limits { evaluations: budget, narrowest: lower.unit_roundoff().sqrt() };
+    isolate_each(lower, upper, &limits, f, test, |_| Ok(()))
 }
 
-/// The sign changes of [`isolate`], of which each is given to `found` before the next one is looked for. Where an evaluation or `found`
+/// How much an isolation may take.
+#[derive(Clone, Debug)]
+pub struct Limits<R> {
+    /// About so many evaluations of the function.
+    pub evaluations: usize,
+    /// Cells narrower than this share of their radius are no longer halved.
+    pub narrowest: R,
+}
+
+/// The sign changes of [`isolate`] within other limits, of which each is given to `found` before the next one is looked for. Where an evaluation or `found`
 /// returns [`Error::BudgetSpent`], all that is left is undecided. Where the test or `found` returns [`Error::Unproved`], or f does in
 /// the middle of a cell and half-way to both of its ends, that cell is undecided, and the others are still looked at.
 ///
@@ -80,7 +90,7 @@ pub fn isolate<R: Real>(
 pub fn isolate_each<R: Real>(
     lower: &R,
     upper: &R,
-    budget: usize,
+    limits: &Limits<R>,
     mut f: impl FnMut(&R) -> Result<R>,
     mut test: impl FnMut(&R, &R) -> Result<Behaviour>,
     mut found: impl FnMut(&Bracket<R>) -> Result<()>,
@@ -101,11 +111,11 @@ pub fn isolate_each<R: Real>(
     while let Some(cells) = waiting.pop() {
         let mut next = Vec::new();
         for cell in cells {
-            if isolation.is_spent || evaluations.get() >= budget {
+            if isolation.is_spent || evaluations.get() >= limits.evaluations {
                 isolation.leave(cell);
                 continue;
             }
-            match isolation.settle(&cell, &mut sample, &mut test, &mut found) {
+            match isolation.settle(&cell, &limits.narrowest, &mut sample, &mut test, &mut found) {
                 Err(Error::BudgetSpent { .. }) => {
                     isolation.is_spent = true;
                     isolation.leave(cell);
@@ -133,6 +143,7 @@ impl<R: Real> Isolation<R> {
     fn settle(
         &mut self,
         [lower, upper]: &Borders<R>,
+        narrowest: &R,
         sample: impl FnMut(R) -> Result<Sample<R>>,
         test: &mut impl FnMut(&R, &R) -> Result<Behaviour>,
         found: &mut impl FnMut(&Bracket<R>) -> Result<()>,
@@ -148,7 +159,7 @@ impl<R: Real> Isolation<R> {
             }
             _ => {
                 let middle = between(lower, upper, sample)?;
-                if is_narrow(&lower.x, &upper.x) {
+                if (upper.x.clone() - &lower.x).midpoint() <= (narrowest.clone() * &lower.x).midpoint() {
                     self.leave(cell());
                 } else {
                     return Ok(Some([[lower.clone(), middle.clone()], [middle, upper.clone()]]));
@@ -157,11 +168,6 @@ impl<R: Real> Isolation<R> {
         }
         Ok(None)
     }
-}
-
-/// Whether a double zero and a pair of zeros can no longer be separated.
-fn is_narrow<R: Real>(lower: &R, upper: &R) -> bool {
-    (upper.clone() - lower).midpoint() <= (lower.unit_roundoff().sqrt() * lower).midpoint()
 }
 
 /// A sample at the geometric mean; slightly beside it if the function is exactly zero there, and half-way to an end if it is not known.

@@ -8,6 +8,7 @@
 //! * [`roots`]: brackets found by a search outwards through the exponent range, and their refinement.
 //! * [`isolate`]: all sign changes on a range, with a proof of completeness where there is an enclosure test.
 //! * `enclose` (feature `mp`): enclosures of integrals of functions that are analytic piece by piece.
+//! * `panel` (feature `mp`): one such rule on a given piece, for integrands of which a part is known beforehand.
 //! * `verify` (feature `mp`): existence and uniqueness of a zero by the interval Newton operator.
 
 mod cache;
@@ -19,6 +20,8 @@ pub mod isolate;
 mod jacobi;
 #[cfg(feature = "mp")]
 mod legendre;
+#[cfg(feature = "mp")]
+pub mod panel;
 pub mod quadrature;
 pub mod roots;
 #[cfg(feature = "mp")]

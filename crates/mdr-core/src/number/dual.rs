@@ -26,6 +26,9 @@ pub struct Dual<R> {
     pub slope: R,
 }
 
+/// The argument from which on tanh is differentiated without a cosh, whose square overflows in doubles above 355.
+const FAR: f64 = 300.0;
+
 impl<R: Real> Dual<R> {
     /// The independent variable at `value`: slope one.
     pub fn variable(value: R) -> Self {
@@ -275,8 +278,14 @@ impl<R: Special> Special for Dual<R> {
         self.chain(self.value.cosh(), self.value.sinh())
     }
     fn tanh(&self) -> Self {
-        // 1 − tanh² would cancel.
-        self.chain(self.value.tanh(), self.value.cosh().inv().square())
+        // 1 − tanh² would cancel, and a cosh overflows, of which the derivatives are ∞/∞ then.
+        let derivative = if self.value.approx().abs() < FAR {
+            self.value.cosh().inv().square()
+        } else {
+            let e = self.value.abs().times(-2).exp();
+            e.clone().times(4) / (e.lit(1) + e).square()
+        };
+        self.chain(self.value.tanh(), derivative)
     }
     fn atanh(&self) -> Self {
         let derivative = (self.value.lit(1) - self.value.square()).inv();

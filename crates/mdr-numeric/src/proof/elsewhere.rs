@@ -15,6 +15,10 @@ const CELLS: usize = 4000;
 const WIDEST: f64 = 1.03;
 /// or narrower than this when nothing is decided.
 const FINEST: f64 = 1.0 + 1e-9;
+/// The share of the heights after which another way is tried to decide a gap: beside something narrow that is soon found,
+const BEFORE_ANOTHER: u64 = 8;
+/// by the minima of d, or by rings of 1 + 2^−k contact radii, k up to so many.
+const RINGS: i64 = 30;
 /// The octaves beyond a contact in which an overlap is looked for where the gap is not known to be open far away.
 const NEAR: u32 = 4;
 /// The most heights of f, counted over intervals, that are spent on a contact, with those of g: about a second.
@@ -35,7 +39,7 @@ impl Outside<'_> {
     pub(super) fn check_elsewhere(&self, place: &Place, around: &Interval) -> Result<()> {
         let far = self.far(place, around)?;
         let cells = vec![(around.upper().clone(), far), (place.a.upper().clone(), around.lower().clone())];
-        match self.look(place, cells) {
+        match self.look(place, cells, self.heights) {
             Seen::Open => Ok(()),
             Seen::Closed { radius, .. } => Err(self.open(&Interval::from_f64(place.a.ctx(), radius))),
             Seen::Undecided(cell) => Err(self.open(&cell)),
@@ -54,14 +58,20 @@ impl Outside<'_> {
         // Surfaces that are not known to be open far away may overlap near the contact.
         let near = || Float::with_val(BOUND_BITS, place.a.upper() << NEAR);
         let to = far.as_ref().map_or_else(|_| near(), Float::clone);
-        let seen = self.look(place, vec![(place.a.lower().clone(), to)]);
+        let cells = vec![(place.a.lower().clone(), to)];
+        let mut seen = self.look(place, cells.clone(), self.heights / BEFORE_ANOTHER);
+        if let Seen::Undecided(_) = seen {
+            let is_above = self.floor.is_some_and(|floor| far.as_ref().is_ok_and(|far| floor.is_above(place, far)));
+            let another = if is_above { Some(Seen::Open) } else { self.closed_ring(place) };
+            seen = another.unwrap_or_else(|| self.look(place, cells, self.heights));
+        }
         if let Seen::Open = seen { far.map(|_| seen) } else { Ok(seen) }
     }
 
     /// What is certain of the gap on some cells, wherever g is below the indentation; the first that is not open ends it.
-    fn look(&self, place: &Place, mut cells: Vec<(Float, Float)>) -> Seen {
+    fn look(&self, place: &Place, mut cells: Vec<(Float, Float)>, heights: u64) -> Seen {
         let work = || self.profile.work() + self.contact.transform().work();
-        let last = work() + self.heights;
+        let last = work() + heights;
         for _ in 0..CELLS {
             let Some((from, to)) = cells.pop() else { return Seen::Open };
             if work() > last {
@@ -83,6 +93,15 @@ impl Outside<'_> {
             cells.extend([(middle.clone(), to), (from, middle)]);
         }
         Seen::Undecided(place.a.clone())
+    }
+
+    /// A ring on which the gap is closed, near the contact or far from it.
+    fn closed_ring(&self, place: &Place) -> Option<Seen> {
+        (1..=RINGS).find_map(|k| {
+            let radius = (place.a.lit(2).powi(-k) * &place.a + &place.a).midpoint();
+            let [gap, ..] = self.gap(place, &radius).ok()?;
+            (*gap.upper() < 0).then(|| Seen::Closed { radius: radius.approx(), gap: gap.approx() })
+        })
     }
 
     /// Whether g is certainly not below d on a cell.
@@ -117,11 +136,14 @@ impl Outside<'_> {
     }
 
     /// A radius beyond which the gap is open: f is above the indentation by more than the surface may rise there,
-    /// |u(r)| = (2/π) |∫₀ᵃ (d − g)/√(r² − x²) dx| ≤ (a/r) max |d − g|.
+    /// |u(r)| = (2/π) |∫₀ᵃ (d − g)/√(r² − x²) dx| ≤ (a/r) max |d − g|. By parts with ∫₀ˣ g dx = x m, where m is an average of f, it is
+    /// also |u(r)| ≤ (a/r) (|d| + (3/2) max |f|) from r = 2a on, as (2/π)(2a/√(r² − a²)) ≤ (3/2)(a/r) there.
     fn far(&self, place: &Place, around: &Interval) -> Result<Float> {
         let Place { a, d } = place;
-        let inside = self.profile.range(&a.lit(0).hull(a)).ok_or_else(|| self.open(a))?;
-        let most = (d.clone() - inside).abs();
+        let by_transform = self.profile.range(&a.lit(0).hull(a)).map(|inside| (d.clone() - inside).abs());
+        let by_heights = self.heights_within(a).map(|inside| inside.abs().times(3).over(2) + d.abs());
+        let bounds = by_transform.into_iter().chain(by_heights).map(|bound| Interval::point(bound.upper().clone()));
+        let most = bounds.reduce(|one, other| one.lesser(&other)).ok_or_else(|| self.open(a))?;
         let kinks = self.profile.breaks().last().map_or_else(|| around.upper(), Interval::upper);
         let mut from = Float::with_val(BOUND_BITS, around.upper().clone().max(kinks));
         for octaves in (0..6).map(|power| 1u32 << power) {
@@ -131,6 +153,14 @@ impl Outside<'_> {
             }
         }
         Err(self.open(around))
+    }
+
+    /// f on all radii of the contact.
+    fn heights_within(&self, a: &Interval) -> Option<Interval> {
+        let last = self.profile.breaks().partition_point(|b| b.lower() <= a.upper());
+        let mut parts = (0..=last).map(|beyond| self.profile.height(&a.lit(0).hull(a), beyond));
+        let first = parts.next()??;
+        parts.try_fold(first, |hull, part| Some(hull.hull(&part?))).filter(Real::is_finite)
     }
 
     /// Whether f − d is above `reach`/r from a radius beyond all kinks out to the largest radii.

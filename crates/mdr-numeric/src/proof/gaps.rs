@@ -4,9 +4,12 @@ use std::sync::Arc;
 
 use mdr_core::contact::{Budget, Result};
 use mdr_core::number::Interval;
+use rug::Float;
 
+use super::EnclosedCurve;
 use super::continuation::Continuation;
 use super::elsewhere::{HEIGHTS, Seen};
+use super::floor::Floor;
 use super::overlap::{Outside, Place};
 use super::staircase::{Staircases, State, TERMS_OF_HEIGHT};
 use crate::admissible::GapVerdict;
@@ -48,6 +51,8 @@ pub struct EnclosedGaps {
     kept: Recent<(Place, GapVerdict)>,
     /// In place of integrals over the profile.
     staircases: Option<Staircases>,
+    /// Beside them.
+    floor: Option<Floor>,
 }
 
 impl EnclosedGaps {
@@ -55,7 +60,7 @@ impl EnclosedGaps {
     /// [`Error::Domain`](mdr_core::contact::Error::Domain) on another medium than a half-space.
     pub fn new(contact: Contact<Interval>, profile: Option<Continuation>) -> Result<Self> {
         super::check_half_space(&contact)?;
-        Ok(EnclosedGaps { contact, profile, budget: None, kept: Recent::up_to(KEPT), staircases: None })
+        Ok(EnclosedGaps { contact, profile, budget: None, kept: Recent::up_to(KEPT), staircases: None, floor: None })
     }
 
     /// The gaps, with a budget from which each height of the profile is paid by its `weight`; once it is spent nothing is decided.
@@ -69,6 +74,13 @@ impl EnclosedGaps {
     #[must_use]
     pub fn by_staircases(self) -> Self {
         EnclosedGaps { staircases: Some(Staircases::new()), ..self }
+    }
+
+    /// The gaps, with the folds of this contact at fixed grips on a range of radii, which are looked for where integrals over f take long:
+    /// for a profile of which something is narrow. They take at most about `most` evaluations between two kinks.
+    #[must_use]
+    pub fn with_folds(self, curve: EnclosedCurve, range: (Float, Float), most: usize) -> Self {
+        EnclosedGaps { floor: Some(Floor::new(curve, range, most)), ..self }
     }
 
     /// Whether a contact of radius a at the indentation d is admissible, as far as it is proved: no gap outside it is negative up to
@@ -162,7 +174,8 @@ impl EnclosedGaps {
             return None;
         }
         let before = profile.work();
-        let seen = look(&Outside { heights, ..Outside::new(&self.contact, profile) }, place);
+        let outside = Outside { heights, floor: self.floor.as_ref(), ..Outside::new(&self.contact, profile) };
+        let seen = look(&outside, place);
         if let Some((budget, weight)) = &self.budget {
             budget.spend(weight.saturating_mul(profile.work().saturating_sub(before)));
         }

@@ -19,6 +19,7 @@ mod energy;
 mod equator;
 mod extrema;
 mod fields;
+mod floor;
 mod found;
 mod gaps;
 mod kinks;
@@ -43,7 +44,7 @@ pub use range::range;
 
 use std::sync::Arc;
 
-use mdr_core::calculus::isolate::{Behaviour, isolate_each};
+use mdr_core::calculus::isolate::{Behaviour, Limits, isolate_each};
 use mdr_core::calculus::verify::verify;
 use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Result};
 use mdr_core::number::{Dual, Interval, Precision, Real, order};
@@ -55,8 +56,8 @@ use crate::energy::MEDIUM;
 /// The most steps of Newton's method towards a zero that is proved then.
 const APPROACHES: u32 = 6;
 
-/// Integrals over an interval of radii are done in doubles from 2^−AROUND of the radius on.
-const AROUND: i64 = 25;
+/// A radius is taken as an interval of these shares of it, 2^−k, before it is taken as it is: that costs less.
+const AROUND: [i64; 2] = [25, 42];
 
 /// The last bits of a radius that may be unknown after Newton's method has converged.
 const SPARE: i64 = 8;
@@ -162,7 +163,8 @@ impl EnclosedCurve {
         let condition = |a: &Interval| self.signed_condition(a);
         let behaviour = |a: &Interval, b: &Interval| self.behaviour(&a.hull(b));
         let (mut folds, mut merged) = (Vec::new(), Vec::new());
-        let isolation = isolate_each(&ends[0], &ends[1], budget, condition, behaviour, |bracket| {
+        let limits = Limits { evaluations: budget, narrowest: self.narrowest() };
+        let isolation = isolate_each(&ends[0], &ends[1], &limits, condition, behaviour, |bracket| {
             let cell = bracket.lower.x.hull(&bracket.upper.x);
             match self.fold_in(&cell, bracket.lower.f < bracket.upper.f)? {
                 Some(fold) => folds.push(fold),
@@ -183,6 +185,13 @@ impl EnclosedCurve {
         found.evaluations += isolation.evaluations;
         found.is_spent |= isolation.is_spent;
         Ok(())
+    }
+
+    /// The share of its radius down to which a cell is halved: the root of the unit roundoff, where a double zero and a pair of zeros can no
+    /// longer be told apart, and less of integrals, of which something may be as narrow.
+    fn narrowest(&self) -> Interval {
+        let roundoff = self.plain.modulus().unit_roundoff();
+        if self.is_by_integrals { roundoff.pow(&roundoff.lit(2).over(3)) } else { Real::sqrt(&roundoff) }
     }
 
     /// The fold in a cell that isolates it, in the finer precision; `None` where that is not proved.
@@ -233,10 +242,12 @@ impl EnclosedCurve {
     /// The condition at a radius, with at least its sign.
     fn signed_condition(&self, a: &Interval) -> Result<Interval> {
         if self.is_by_integrals && a.is_point() {
-            let around = a.clone().inflate(&(a.lit(2).powi(-AROUND) * a));
-            let rough = self.condition(&around)?;
-            if !rough.contains_zero() {
-                return Ok(rough);
+            for share in AROUND {
+                let around = a.clone().inflate(&(a.lit(2).powi(-share) * a));
+                let rough = self.condition(&around)?;
+                if !rough.contains_zero() {
+                    return Ok(rough);
+                }
             }
         }
         let condition = self.condition(a)?;

@@ -21,6 +21,7 @@ use mdr_core::number::{Interval, Precision, Real, Special};
 use super::continuation::Continuation;
 use super::elsewhere::HEIGHTS;
 use super::fields::moments;
+use super::floor::Floor;
 use super::stretch::leg;
 use crate::admissible::Ring;
 use crate::contact::Contact;
@@ -38,6 +39,8 @@ pub(super) struct Outside<'a> {
     pub(super) profile: &'a Continuation,
     /// The most heights of f that are spent on one place.
     pub(super) heights: u64,
+    /// A bound of g from below.
+    pub(super) floor: Option<&'a Floor>,
 }
 
 /// A contact radius and the indentation.
@@ -78,7 +81,7 @@ struct Valley {
 
 impl<'a> Outside<'a> {
     pub(super) fn new(contact: &'a Contact<Interval>, profile: &'a Continuation) -> Self {
-        Outside { contact, profile, heights: HEIGHTS }
+        Outside { contact, profile, heights: HEIGHTS, floor: None }
     }
 }
 

@@ -53,6 +53,12 @@ impl Enclosed {
         let (value, dual) = (self.value.contact(), self.dual.contact());
         EnclosedCurve::new(value.with_control(Control::Force), dual.with_control(Control::Force))
     }
+
+    /// The curve at fixed grips, whose folds are those of d.
+    fn curve_at_fixed_grips(&self) -> EnclosedCurve {
+        let (value, dual) = (self.value.contact(), self.dual.contact());
+        EnclosedCurve::new(value.with_control(Control::Indentation), dual.with_control(Control::Indentation))
+    }
 }
 
 /// All folds on a range of radii, in a precision that separates them.
@@ -189,10 +195,16 @@ pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
         Some(formulas) => decided(formulas.continued(precision))?,
         None => None,
     };
-    let contact = Enclosed::new(certified, precision)?.value.contact();
+    let enclosed = Enclosed::new(certified, precision)?;
+    let contact = enclosed.value.contact();
     let weight = weight_of_height(&scene.profile, Interval::INDEX, ISOLATION);
     let gaps = EnclosedGaps::new(contact, profile)?.within(certified.counts[0].budget(), weight);
-    Ok(Some(if scene.is_short_table() { gaps.by_staircases() } else { gaps }))
+    if scene.is_short_table() {
+        return Ok(Some(gaps.by_staircases()));
+    }
+    let [lower, upper] = range(certified)?.ends.map(|end| enclosed.value.size(&end));
+    let range = (lower?.lower().clone(), upper?.upper().clone());
+    Ok(Some(gaps.with_folds(enclosed.curve_at_fixed_grips().by_integrals(), range, budget_of_folds(scene))))
 }
 
 /// Why folds are all, or are not.

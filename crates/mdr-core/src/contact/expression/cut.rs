@@ -7,12 +7,12 @@ use crate::number::{Euler, Interval, Precision, Real};
 /// A formula f cut at a radius c, where the parabola P = α + βr² touches it.
 #[derive(Clone, Debug)]
 pub struct CutFormula {
-    /// f − P.
-    pub inside: FormulaPart,
-    /// Zero up to c and f − P from there on: f'' jumps at c.
-    pub outside: EnclosedFormula,
+    /// α.
+    pub height: Interval,
     /// β.
     pub bend: Interval,
+    /// Zero up to c and f − P from there on: f'' jumps at c.
+    pub beyond: EnclosedFormula,
 }
 
 impl EnclosedFormula {
@@ -22,7 +22,7 @@ impl EnclosedFormula {
         let f = part.at(&Euler::variable(c, 2))?;
         let [height, rise] = [f.value().clone(), f.derivative(1)];
         let bend = rise.clone() / c.square().times(2);
-        let inside = part.less_parabola(&(height - rise.clone().over(2)), &bend);
+        let height = height - rise.clone().over(2);
         let zero = c.lit(0);
         let jump = vec![zero.clone(), zero.clone(), f.derivative(2) - rise.times(2)];
         let nothing = FormulaPart {
@@ -30,15 +30,15 @@ impl EnclosedFormula {
             rooted: None,
             cleared: None,
         };
-        let outside = EnclosedFormula {
-            parts: vec![Some(nothing), Some(inside.clone())],
+        let beyond = EnclosedFormula {
+            parts: vec![Some(nothing), Some(part.less_parabola(&height, &bend))],
             breaks: vec![c.clone()],
             jumps: vec![Some(jump)],
             outer: self.outer.clone(),
             known_to: self.known_to.clone(),
             onsets: None,
         };
-        Some(CutFormula { inside, outside, bend })
+        Some(CutFormula { height, bend, beyond })
     }
 }
 

@@ -213,6 +213,9 @@ impl<R: Special> Node<R> {
         if let Some(departure) = self.departure() {
             return departure.value(r);
         }
+        if let Some(quotient) = self.over_large_exponential(r) {
+            return quotient;
+        }
         match self {
             Node::Variable => r.clone(),
             Node::Constant(constant) => S::lift(constant),

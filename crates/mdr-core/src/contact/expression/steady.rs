@@ -141,18 +141,31 @@ impl<R: Special> Kind<'_, R> {
     }
 }
 
-#[cfg(feature = "mp")]
-impl Node<Interval> {
-    /// c and u, if this is c + exp(u) with a constant c.
-    pub(super) fn beside_exponential(&self) -> Option<(&Interval, &Node<Interval>)> {
+/// The exponent above which an exponential function is not divided by: its square overflows in doubles above 354.
+const LARGE: i64 = 300;
+
+impl<R: Special> Node<R> {
+    /// c and u of a sum c + exp(u) with a constant c.
+    pub(super) fn beside_exponential(&self) -> Option<(&R, &Node<R>)> {
         self.parts_of_sum().find_map(|part| match part {
             (Node::Constant(constant), Node::Function(Function::Exp, u), false) => Some((constant, &**u)),
             _ => None,
         })
     }
+
+    /// a/(c + e^u) where e^u is large, as a e^(−u)/(c e^(−u) + 1): the derivatives of a quotient by an infinity are no numbers.
+    pub(super) fn over_large_exponential<S: Lift<R>>(&self, r: &S) -> Option<S> {
+        let Node::Operation(Operator::Divide, a, b) = self else { return None };
+        let (c, u) = b.beside_exponential()?;
+        let u = u.value(r);
+        if !(u.value_of() > u.value_of().lit(LARGE)) {
+            return None;
+        }
+        let e = (-u).exp();
+        Some(a.value(r) * &e / (S::lift(c) * &e + e.lit(1)))
+    }
 }
 
-/// a/(c + exp(u)): where that is not bounded as a exp(−u)/(c exp(−u) + 1), whose exponential does not overflow and may be known to be small.
 #[cfg(feature = "mp")]
 pub(super) fn over_exponential<T: Analytic>(a: &T, c: &Interval, u: &T) -> Option<T> {
     let direct = a.quotient(&u.constant(c).plus(&u.exp()));
@@ -317,6 +330,24 @@ mod tests {
     }
 
     /// Over points, also in doubles and with derivatives: relative to the value a few roundings remain.
+    #[test]
+    fn steps_have_derivatives_far_from_them() {
+        for (text, value) in [
+            ("tanh((r - 0.4)/1e-6)", -1.0),
+            ("tanh((0.4 - r)/1e-6)", 1.0),
+            ("1/(1 + exp((0.4 - r)/1e-6))", 0.0),
+            ("1/(1 + exp((r - 0.4)/1e-6))", 1.0),
+            ("1/(exp((0.4 - r)/1e-3) + 2)", 0.0),
+        ] {
+            let formula: Expression = text.parse().expect("a formula");
+            let profile = formula.bind::<f64>((), &BTreeMap::new()).expect("bound");
+            let f = profile.height(&Dual::variable(Dual::variable(0.01)));
+            let found = (f.value.value, f.slope.value, f.slope.slope);
+            assert!(found.0 == value || found.0.abs() < 1e-160, "{text}: {found:?}");
+            assert!(found.1.abs() < 1e-160 && found.2.abs() < 1e-160, "{text}: {found:?}");
+        }
+    }
+
     #[test]
     fn sets_keep_their_digits() {
         for text in FORMS {

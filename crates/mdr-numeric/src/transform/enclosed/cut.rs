@@ -1,124 +1,122 @@
-//! g' and g'' over intervals of radii, of a profile with a narrow dip, a needle or a pole far inside of them.
+//! g, g' and g'' over intervals of radii, of a profile with a narrow dip, a needle or a pole far inside of them.
 //!
 //! Along rays r = x sinθ what is narrow moves with x, so that only intervals as narrow are enclosed well. So the profile is cut at a radius c below
 //! the interval: with the parabola P(r) = α + βr² that touches it there, h = f − P and s = x² − r²,
+//!
+//! g = α + 2βx² − x ∫₀ᶜ h r s^(−3/2) dr + (g of h from c on), the mean of g likewise with 2βx²/3 and ∫₀ᶜ h r/(x√s) dr,
 //!
 //! x g' = 4βx² + x ∫₀ᶜ h r (2s + 3r²) s^(−5/2) dr + (x g' of h from c on),
 //!
 //! x²g'' = 4βx² − x³ ∫₀ᶜ h r (6s + 15r²) s^(−7/2) dr + (x²g'' of h from c on).
 //!
-//! The integrals up to c are (1.1) by parts, where nothing remains at c as h and h' are zero there. Their heights stay where they are: only the
-//! kernel depends on x, and it is smooth. What is zero up to c and h from there on is a formula with a kink in f''.
+//! The integrals up to c are (1.1) by parts, where nothing remains at c as h and h' are zero there. Their heights stay where they are, and are
+//! [kept](super::store): only the kernel depends on x, and it is smooth. What is zero up to c and h from there on is a formula with a kink in f''.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
-use mdr_core::calculus::enclose::{BOUND_BITS, Goal, Integrand, enclose};
-use mdr_core::contact::{CutFormula, FormulaPart};
-use mdr_core::number::{Analytic, Interval, Real};
+use mdr_core::contact::{CutFormula, Result, Transform};
+use mdr_core::number::{Interval, Real};
 use rug::Float;
 
-use super::super::weight::Weight;
 use super::ray::is_moderate;
-use super::span::Span;
-use super::{Enclosed, KEPT, Order, PIECES_OF_INTERVAL};
+use super::store::{Below, Parabola, Store, relative_width, widened};
+use super::{Enclosed, KEPT, MOST, Order};
 use crate::recent::Recent;
 
-/// The cut is this many widths of the interval below it: there the kernel is known to a third of itself.
-const WIDTHS: u32 = 8;
-/// Only intervals narrower than this share of their radius are cut.
-const NARROW: f64 = 1.0 / 32.0;
-/// Where the kernel is sampled for its size, as shares of c.
-const SAMPLES: [f64; 4] = [0.93, 0.71, 0.43, 0.17];
+/// Over an interval of radii with fewer bits of one of the integrals than so many
+const FEW: i64 = 2;
+/// a cut is tried, and helps where one of the enclosures is narrower by so much.
+const HELP: u32 = 4;
+/// Where a cut has helped, intervals wider than this share of their radius are no longer integrated along rays: in doubles they have a width.
+const NARROWEST: f64 = 1.0 / (1_u64 << 45) as f64;
 
 /// After so many cuts that did not help they are no longer tried: waves that are everywhere are not better known from cuts.
 const TRIALS: u32 = 64;
 
-/// How many cuts in a row have not helped.
+/// How many cuts in a row have not helped, and whether the last one did.
 #[derive(Debug, Default)]
 pub(super) struct Cuts {
     failures: AtomicU32,
+    come_first: AtomicBool,
 }
 
 impl Cuts {
-    pub(super) fn are_tried(&self) -> bool {
+    fn are_tried(&self) -> bool {
         self.failures.load(Ordering::Relaxed) < TRIALS
     }
 
-    pub(super) fn note(&self, has_helped: bool) {
+    /// Whether a cut is tried before rays are.
+    fn come_first(&self) -> bool {
+        self.come_first.load(Ordering::Relaxed)
+    }
+
+    fn note(&self, has_helped: bool) {
         let failures = if has_helped { 0 } else { self.failures.load(Ordering::Relaxed) + 1 };
         self.failures.store(failures, Ordering::Relaxed);
+        self.come_first.store(has_helped, Ordering::Relaxed);
     }
+}
+
+/// What a cut says.
+enum FromCut {
+    /// The integrals.
+    Values(Vec<Interval>),
+    /// That something narrow is so close to the interval that its integrals are unknown, along rays, too.
+    Unknown,
+    /// Nothing: there is no cut.
+    Nothing,
 }
 
 impl Enclosed {
-    /// The integrals for slopes over an interval of radii, from a cut below it; `None` where there is none, or one takes too many pieces.
-    pub(super) fn cut(&self, x: &Interval, order: Order) -> Option<Vec<Interval>> {
-        let span = &Span::of(x);
-        if order == Order::Value || !span.is_wide || !matches!(self.weight, Weight::HalfSpace) {
-            return None;
+    /// The integrals without powers that begin: along rays, or from a cut below x where rays say little.
+    pub(super) fn by_cut_or_rays(&self, x: &Interval, order: Order) -> Result<Vec<Interval>> {
+        let is_vague = |value: &Interval| value.accuracy_bits() < FEW;
+        let come_first = self.cuts.come_first();
+        let cut = if come_first { self.cut(x, order) } else { FromCut::Nothing };
+        let has_width = relative_width(x) > NARROWEST;
+        match cut {
+            FromCut::Values(values) if has_width => return Ok(values),
+            FromCut::Unknown if has_width => return Ok(vec![Interval::entire(x.ctx()); order.count()]),
+            _ => (),
         }
-        let width = Float::with_val(BOUND_BITS, x.upper() - x.lower());
-        if width > Float::with_val(BOUND_BITS, x.lower() * NARROW)
-            || self.formula.breaks().iter().any(|b| b.lower() <= x.upper())
-        {
-            return None;
+        let mut values = self.between_breaks(x, order, self.formula.breaks())?;
+        self.add_kinks(x, order, &mut values);
+        let is_tried = !come_first && values.iter().any(is_vague) && self.cuts.are_tried();
+        let FromCut::Values(cut) = (if is_tried { self.cut(x, order) } else { cut }) else { return Ok(values) };
+        if is_tried {
+            let helps = |(value, cut): (&Interval, &Interval)| is_vague(value) && cut.radius() < value.radius() / HELP;
+            self.cuts.note(values.iter().zip(&cut).any(helps));
         }
-        let c = Float::with_val(BOUND_BITS, x.lower() - width * WIDTHS);
-        let CutFormula { inside, outside, bend } = self.formula.cut_at(&Interval::point(c.clone()))?;
-        let kernel = Kernel { part: &inside, x, order, heights: &self.heights };
-        let parabola = (bend.rounded(x.ctx()) * x.square()).times(4);
-        let within = enclose(&kernel, [&Float::new(BOUND_BITS), &c], &kernel.goal(&c, &parabola, span)?).ok()?;
-        let (formula, kept, onsets) = (Arc::new(outside), Arc::new(Recent::up_to(KEPT)), Arc::default());
-        let beyond = Enclosed { formula, kept, onsets, ..self.clone() };
+        for (value, cut) in values.iter_mut().zip(cut) {
+            *value = value.intersect(&cut).unwrap_or_else(|| Interval::entire(x.ctx()));
+        }
+        Ok(values)
+    }
+
+    /// The integrals over an interval of radii, from a cut below it.
+    fn cut(&self, x: &Interval, order: Order) -> FromCut {
+        let is_cut = is_moderate(x) && self.work() <= MOST;
+        let has_break = || self.formula.breaks().iter().any(|b| b.lower() <= x.upper());
+        match &self.store {
+            Some(store) if is_cut && !has_break() => match store.below(x) {
+                Below::Nothing => FromCut::Nothing,
+                Below::Narrow => FromCut::Unknown,
+                Below::Cut(c) => self.cut_at(store, c, x, order).map_or(FromCut::Nothing, FromCut::Values),
+            },
+            _ => FromCut::Nothing,
+        }
+    }
+
+    /// From a cut at c; `None` where it takes too many cells.
+    fn cut_at(&self, store: &Store, c: Float, x: &Interval, order: Order) -> Option<Vec<Interval>> {
+        let CutFormula { height, bend, beyond } = self.formula.cut_at(&Interval::point(c.clone()))?;
+        let within = store.integrals(x, order, &c, &Parabola { height, bend })?;
+        let (formula, kept, onsets) = (Arc::new(beyond), Arc::new(Recent::up_to(KEPT)), Arc::default());
+        let beyond = Enclosed { formula, kept, onsets, store: None, ..self.clone() };
         let beyond = beyond.integrals(x, order).ok()?;
-        let sum = |(within, beyond): (Interval, Interval)| within.rounded(x.ctx()) + beyond + &parabola;
-        let sums: Vec<Interval> = within.into_iter().zip(beyond).map(sum).collect();
+        let sums: Vec<Interval> =
+            within.iter().zip(beyond).map(|(within, beyond)| widened(within, x) + beyond).collect();
         sums.iter().all(Real::is_finite).then_some(sums)
-    }
-}
-
-/// What is integrated up to c.
-struct Kernel<'a> {
-    part: &'a FormulaPart,
-    x: &'a Interval,
-    order: Order,
-    heights: &'a AtomicU64,
-}
-
-impl Kernel<'_> {
-    /// The aim: relative to samples, or to the parabola.
-    fn goal(&self, c: &Float, parabola: &Interval, span: &Span) -> Option<Goal> {
-        let middle = Kernel { x: &self.x.midpoint(), ..*self };
-        let mut sizes = vec![Float::with_val(BOUND_BITS, parabola.abs().upper()); self.order.count()];
-        for share in SAMPLES {
-            let values = middle.at(&Interval::point(Float::with_val(BOUND_BITS, c * share)))?;
-            for (size, value) in sizes.iter_mut().zip(values) {
-                size.max_mut(&Float::with_val(BOUND_BITS, value.abs().upper() * c));
-            }
-        }
-        let tolerances = sizes.into_iter().map(|size| size * &span.aim).collect();
-        Some(Goal { bits: span.bits, tolerances, pieces: PIECES_OF_INTERVAL })
-    }
-}
-
-impl Integrand for Kernel<'_> {
-    fn is_moderate(&self) -> bool {
-        is_moderate(self.x)
-    }
-
-    fn at<T: Analytic>(&self, r: &T) -> Option<Vec<T>> {
-        self.heights.fetch_add(T::WORK, Ordering::Relaxed);
-        let height = self.part.derivatives_at(r, 0)?;
-        let square = r.squared();
-        let s = r.constant(&self.x.square()).minus(&square);
-        let share = height.value().product(r).quotient(&s.squared().product(&s.sqrt()?))?;
-        let with = |of_s: i64, of_square: i64| s.multiplied(of_s).plus(&square.multiplied(of_square));
-        let mut values = vec![share.product(&with(2, 3)).scaled(self.x)];
-        if self.order == Order::Curvature {
-            let cube = self.x.square() * self.x;
-            values.push(share.quotient(&s)?.product(&with(-6, -15)).scaled(&cube));
-        }
-        Some(values)
     }
 }

@@ -16,6 +16,7 @@ pub(crate) mod onset;
 mod ray;
 mod slopes;
 mod span;
+mod store;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -31,6 +32,7 @@ use cut::Cuts;
 use ray::Ray;
 pub use slopes::EnclosedWithSlopes;
 use span::{Gap, Span, gaps};
+use store::Store;
 
 /// The most pieces of an integral at one radius,
 const PIECES: usize = 400;
@@ -38,10 +40,6 @@ const PIECES: usize = 400;
 const PIECES_OF_INTERVAL: usize = 120;
 /// Over wide intervals of radii g' is bounded by ranges of (r f')' on so many parts of the quarter circle.
 const RANGES: i64 = 12;
-/// Over an interval of radii with fewer bits of x g' than so many
-const FEW: i64 = 2;
-/// a cut is tried, and helps where the enclosure is narrower by so much.
-const HELP: u32 = 4;
 /// Recent integrals that are kept.
 const KEPT: usize = 8;
 /// Heights, counted over intervals, after which no further integral is begun: some seconds.
@@ -71,6 +69,8 @@ pub struct Enclosed {
     kept: Arc<Recent<Kept>>,
     heights: Arc<AtomicU64>,
     cuts: Arc<Cuts>,
+    /// Heights for cuts, on a half-space.
+    store: Option<Arc<Store>>,
     /// Powers that begin at radii; the formula is the rest of it.
     onsets: Arc<[Onset]>,
 }
@@ -129,12 +129,14 @@ impl Enclosed {
     }
 
     fn weighing(formula: EnclosedFormula, precision: Precision, weight: Weight<Interval>) -> Self {
-        let (kept, heights, cuts) = (Arc::new(Recent::up_to(KEPT)), Arc::default(), Arc::default());
+        let (kept, heights, cuts) = (Arc::new(Recent::up_to(KEPT)), Arc::<AtomicU64>::default(), Arc::default());
         let (formula, onsets) = match (formula.onsets(), &weight) {
             (Some(Onsets { rest, powers }), Weight::HalfSpace) => (rest.clone(), powers.clone().into()),
             _ => (formula, Arc::default()),
         };
-        Enclosed { formula: Arc::new(formula), weight, precision, kept, heights, cuts, onsets }
+        let part = formula.part(0).filter(|_| matches!(weight, Weight::HalfSpace));
+        let store = part.map(|part| Arc::new(Store::new(part.clone(), heights.clone())));
+        Enclosed { formula: Arc::new(formula), weight, precision, kept, heights, cuts, store, onsets }
     }
 
     /// Refuses radii that are not certainly within the formula.
@@ -156,28 +158,13 @@ impl Enclosed {
         if let Some(values) = self.kept.find(|kept| same(kept).then(|| kept.values.clone())) {
             return Ok(values);
         }
-        let mut values = self.between_breaks(x, order, self.formula.breaks())?;
-        self.add_kinks(x, order, &mut values);
-        self.narrow_by_cut(x, order, &mut values);
+        let mut values = self.by_cut_or_rays(x, order)?;
         self.add_onsets(x, order, &mut values)?;
         if !Span::of(x).is_wide && !values.iter().all(Real::is_finite) {
             return Err(unproved(x, "a kink of the formula is not located"));
         }
         self.kept.keep(Kept { x: x.clone(), order, values: values.clone() });
         Ok(values)
-    }
-
-    /// Narrows integrals over an interval of radii by what a cut below it knows, where they say little.
-    fn narrow_by_cut(&self, x: &Interval, order: Order, values: &mut [Interval]) {
-        let is_vague = |values: &[Interval]| values[0].accuracy_bits() < FEW;
-        if !(is_vague(values) && self.cuts.are_tried()) {
-            return;
-        }
-        let Some(cut) = self.cut(x, order) else { return };
-        self.cuts.note(!is_vague(&cut) || cut[0].radius() < values[0].radius() / HELP);
-        for (value, cut) in values.iter_mut().zip(cut) {
-            *value = value.intersect(&cut).unwrap_or(cut);
-        }
     }
 
     /// The integrals without the terms of kinks, cut at some breaks. Over an interval of radii that is too wide nothing is known.
