@@ -68,20 +68,20 @@ pub fn isolate<R: Real>(
     f: impl FnMut(&R) -> Result<R>,
     test: impl FnMut(&R, &R) -> Result<Behaviour>,
 ) -> Result<Isolation<R>> {
-    let limits = Limits { evaluations: budget, narrowest: lower.unit_roundoff().sqrt() };
-    isolate_each(lower, upper, &limits, f, test, |_| Ok(()))
+    let effort = Effort { evaluations: budget, narrowest: lower.unit_roundoff().sqrt() };
+    isolate_each(lower, upper, &effort, f, test, |_| Ok(()))
 }
 
 /// How much an isolation may take.
 #[derive(Clone, Debug)]
-pub struct Limits<R> {
+pub struct Effort<R> {
     /// About so many evaluations of the function.
     pub evaluations: usize,
     /// Cells narrower than this share of their radius are no longer halved.
     pub narrowest: R,
 }
 
-/// The sign changes of [`isolate`] within other limits, of which each is given to `found` before the next one is looked for. Where an evaluation or `found`
+/// The sign changes of [`isolate`] with another effort, of which each is given to `found` before the next one is looked for. Where an evaluation or `found`
 /// returns [`Error::BudgetSpent`], all that is left is undecided. Where the test or `found` returns [`Error::Unproved`], or f does in
 /// the middle of a cell and half-way to both of its ends, that cell is undecided, and the others are still looked at.
 ///
@@ -90,7 +90,7 @@ pub struct Limits<R> {
 pub fn isolate_each<R: Real>(
     lower: &R,
     upper: &R,
-    limits: &Limits<R>,
+    effort: &Effort<R>,
     mut f: impl FnMut(&R) -> Result<R>,
     mut test: impl FnMut(&R, &R) -> Result<Behaviour>,
     mut found: impl FnMut(&Bracket<R>) -> Result<()>,
@@ -111,11 +111,11 @@ pub fn isolate_each<R: Real>(
     while let Some(cells) = waiting.pop() {
         let mut next = Vec::new();
         for cell in cells {
-            if isolation.is_spent || evaluations.get() >= limits.evaluations {
+            if isolation.is_spent || evaluations.get() >= effort.evaluations {
                 isolation.leave(cell);
                 continue;
             }
-            match isolation.settle(&cell, &limits.narrowest, &mut sample, &mut test, &mut found) {
+            match isolation.settle(&cell, &effort.narrowest, &mut sample, &mut test, &mut found) {
                 Err(Error::BudgetSpent { .. }) => {
                     isolation.is_spent = true;
                     isolation.leave(cell);

@@ -68,3 +68,7 @@ impl Minima {
         *a.lower() >= self.from && *to <= self.to && is_above(&self.last) && beyond.all(|place| is_above(&place.d))
     }
 }
+
+#[cfg(test)]
+#[path = "../../tests/private/floor.rs"]
+mod tests;

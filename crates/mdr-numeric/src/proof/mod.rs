@@ -44,7 +44,7 @@ pub use range::range;
 
 use std::sync::Arc;
 
-use mdr_core::calculus::isolate::{Behaviour, Limits, isolate_each};
+use mdr_core::calculus::isolate::{Behaviour, Effort, isolate_each};
 use mdr_core::calculus::verify::verify;
 use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Result};
 use mdr_core::number::{Dual, Interval, Precision, Real, order};
@@ -163,8 +163,8 @@ impl EnclosedCurve {
         let condition = |a: &Interval| self.signed_condition(a);
         let behaviour = |a: &Interval, b: &Interval| self.behaviour(&a.hull(b));
         let (mut folds, mut merged) = (Vec::new(), Vec::new());
-        let limits = Limits { evaluations: budget, narrowest: self.narrowest() };
-        let isolation = isolate_each(&ends[0], &ends[1], &limits, condition, behaviour, |bracket| {
+        let effort = Effort { evaluations: budget, narrowest: self.narrowest() };
+        let isolation = isolate_each(&ends[0], &ends[1], &effort, condition, behaviour, |bracket| {
             let cell = bracket.lower.x.hull(&bracket.upper.x);
             match self.fold_in(&cell, bracket.lower.f < bracket.upper.f)? {
                 Some(fold) => folds.push(fold),

@@ -46,7 +46,7 @@ struct Place {
 
 struct Cell {
     panel: Panel,
-    /// The nodes with their heights; none where f is not known at one of them.
+    /// Each node with its height; an empty list where f is not known at all nodes.
     nodes: Vec<(Node, Interval)>,
     /// f on the ellipse, where it is shown to be analytic.
     image: Option<Rectangle<DoubleInterval>>,
