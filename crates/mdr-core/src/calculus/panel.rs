@@ -40,7 +40,7 @@ pub struct Panel {
 
 /// A node of a rule on a piece.
 #[derive(Clone, Debug)]
-pub struct Node {
+pub struct PanelNode {
     /// Its place in the precision of bounds,
     pub place: Interval,
     /// and in doubles.
@@ -62,7 +62,7 @@ impl Panel {
     ///
     /// # Errors
     /// Errors of the rule, which are not met.
-    pub fn nodes(&self) -> Result<Vec<Node>> {
+    pub fn nodes(&self) -> Result<Vec<PanelNode>> {
         let [middle, half] = [&self.middle, &self.half].map(|value| Interval::point(value.clone()));
         let rule = legendre::rule(NODES, BOUND_BITS)?;
         let pair = |(node, weight): &(Interval, Interval)| {
@@ -70,7 +70,7 @@ impl Panel {
             let weight = DoubleInterval::around(&(half.clone() * weight));
             [middle.clone() + &step, middle.clone() - &step].map(|place| {
                 let t = DoubleInterval::around(&place);
-                Node { place, t, weight }
+                PanelNode { place, t, weight }
             })
         };
         Ok(rule.nodes.iter().flat_map(pair).collect())
