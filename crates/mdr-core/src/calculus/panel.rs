@@ -21,11 +21,11 @@ const FACTOR: f64 = 4.552;
 /// A piece of the real line with one rule of 24 nodes.
 ///
 /// ```
-/// use mdr_core::calculus::panel::Panel;
+/// use mdr_core::calculus::panel::LegendrePanel;
 /// use mdr_core::number::{Analytic, DoubleInterval, Real};
 /// use rug::Float;
 /// // ∫ eᵗ dt over [0, 1], with the bound of its remainder.
-/// let panel = Panel::new(&Float::with_val(64, 0), &Float::with_val(64, 1)).expect("exact ends");
+/// let panel = LegendrePanel::new(&Float::with_val(64, 0), &Float::with_val(64, 1)).expect("exact ends");
 /// let sum = panel.nodes()?.iter().fold(DoubleInterval::point(0.0), |sum, node| sum + Real::exp(&node.t) * node.weight);
 /// let remainder = panel.remainder(&Analytic::exp(&panel.ellipse())).expect("bounded");
 /// let integral = sum.inflate(&remainder);
@@ -33,14 +33,14 @@ const FACTOR: f64 = 4.552;
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Panel {
+pub struct LegendrePanel {
     middle: Float,
     half: Float,
 }
 
 /// A node of a rule on a piece.
 #[derive(Clone, Debug)]
-pub struct PanelNode {
+pub struct LegendreNode {
     /// Its place in the precision of bounds,
     pub place: Interval,
     /// and in doubles.
@@ -49,20 +49,20 @@ pub struct PanelNode {
     pub weight: DoubleInterval,
 }
 
-impl Panel {
+impl LegendrePanel {
     /// The piece between two ends; `None` where its middle is not a number in the precision of bounds.
     pub fn new(lower: &Float, upper: &Float) -> Option<Self> {
         let (length, exact) = Float::with_val_round(BOUND_BITS, upper - lower, Round::Nearest);
         let half = length / 2u32;
         let (middle, exact_too) = Float::with_val_round(BOUND_BITS, lower + &half, Round::Nearest);
-        (exact.is_eq() && exact_too.is_eq()).then_some(Panel { middle, half })
+        (exact.is_eq() && exact_too.is_eq()).then_some(LegendrePanel { middle, half })
     }
 
     /// The nodes, in pairs about the middle.
     ///
     /// # Errors
     /// Errors of the rule, which are not met.
-    pub fn nodes(&self) -> Result<Vec<PanelNode>> {
+    pub fn nodes(&self) -> Result<Vec<LegendreNode>> {
         let [middle, half] = [&self.middle, &self.half].map(|value| Interval::point(value.clone()));
         let rule = legendre::rule(NODES, BOUND_BITS)?;
         let pair = |(node, weight): &(Interval, Interval)| {
@@ -70,13 +70,13 @@ impl Panel {
             let weight = DoubleInterval::around(&(half.clone() * weight));
             [middle.clone() + &step, middle.clone() - &step].map(|place| {
                 let t = DoubleInterval::around(&place);
-                PanelNode { place, t, weight }
+                LegendreNode { place, t, weight }
             })
         };
         Ok(rule.nodes.iter().flat_map(pair).collect())
     }
 
-    /// The upper half of a rectangle around the ellipse on which [the remainder](Panel::remainder) asks for the integrand.
+    /// The upper half of a rectangle around the ellipse on which [the remainder](LegendrePanel::remainder) asks for the integrand.
     pub fn ellipse(&self) -> Rectangle<DoubleInterval> {
         in_doubles(&ellipse(&self.middle, &self.half, RHO))
     }

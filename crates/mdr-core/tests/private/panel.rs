@@ -4,7 +4,7 @@ use super::*;
 
 /// cos(kt) over [−1, 1], and its rule with and without the remainder.
 fn wave(k: i64) -> [DoubleInterval; 2] {
-    let panel = Panel::new(&Float::with_val(BOUND_BITS, -1), &Float::with_val(BOUND_BITS, 1)).unwrap();
+    let panel = LegendrePanel::new(&Float::with_val(BOUND_BITS, -1), &Float::with_val(BOUND_BITS, 1)).unwrap();
     let terms = panel.nodes().unwrap().into_iter().map(|node| node.t.times(k).sin_cos().1 * node.weight);
     let sum = terms.reduce(|sum, term| sum + term).unwrap();
     let remainder = panel.remainder(&Analytic::multiplied(&panel.ellipse(), k).sin_cos().1).unwrap();
@@ -28,5 +28,5 @@ fn a_dropped_remainder_is_caught() {
 #[test]
 fn pieces_have_exact_ends() {
     let far = Float::with_val(200, 1) + (Float::with_val(200, 1) >> 90u32);
-    assert!(Panel::new(&Float::with_val(64, 0), &far).is_none());
+    assert!(LegendrePanel::new(&Float::with_val(64, 0), &far).is_none());
 }

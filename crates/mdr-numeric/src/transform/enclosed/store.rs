@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use mdr_core::calculus::enclose::BOUND_BITS;
-use mdr_core::calculus::panel::{Panel, PanelNode};
+use mdr_core::calculus::panel::{LegendreNode, LegendrePanel};
 use mdr_core::contact::FormulaPart;
 use mdr_core::number::{Analytic, DoubleInterval, Interval, Precision, Real, Rectangle};
 use rug::Float;
@@ -45,9 +45,9 @@ struct Place {
 }
 
 struct Cell {
-    panel: Panel,
+    panel: LegendrePanel,
     /// Each node with its height; an empty list where f is not known at all nodes.
-    nodes: Vec<(PanelNode, Interval)>,
+    nodes: Vec<(LegendreNode, Interval)>,
     /// f on the ellipse, where it is shown to be analytic.
     image: Option<Rectangle<DoubleInterval>>,
     /// Whether nothing on it is narrow.
@@ -108,9 +108,9 @@ impl Store {
 
     fn new_cell(&self, place: Place) -> Option<Cell> {
         let [lower, upper] = place.ends();
-        let panel = Panel::new(&lower, &upper)?;
+        let panel = LegendrePanel::new(&lower, &upper)?;
         let image = self.height(&panel.ellipse()).filter(Analytic::is_bounded);
-        let with_height = |node: PanelNode| {
+        let with_height = |node: LegendreNode| {
             let height = self.height(&node.place)?;
             height.is_bounded().then_some((node, height))
         };
@@ -187,7 +187,7 @@ pub(super) fn relative_width(x: &Interval) -> f64 {
 }
 
 /// By the remainder of the rule for f alone, beside the spread of the heights.
-fn is_smooth(panel: &Panel, image: &Rectangle<DoubleInterval>, nodes: &[(PanelNode, Interval)]) -> bool {
+fn is_smooth(panel: &LegendrePanel, image: &Rectangle<DoubleInterval>, nodes: &[(LegendreNode, Interval)]) -> bool {
     let mut ends = nodes.iter().map(|(_, height)| height.approx());
     let Some(first) = ends.next() else { return false };
     let [least, most] = ends.fold([first; 2], |[least, most], end| [least.min(end), most.max(end)]);
