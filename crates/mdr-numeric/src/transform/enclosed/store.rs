@@ -48,7 +48,7 @@ struct Cell {
     panel: LegendrePanel,
     /// Each node with its height; an empty list where f is not known at all nodes.
     nodes: Vec<(LegendreNode, Interval)>,
-    /// f on the ellipse, where it is shown to be analytic.
+    /// f on the ellipse, where it is shown to be analytic, and its heights are known.
     image: Option<Rectangle<DoubleInterval>>,
     /// Whether nothing on it is narrow.
     is_smooth: bool,
@@ -109,12 +109,13 @@ impl Store {
     fn new_cell(&self, place: Place) -> Option<Cell> {
         let [lower, upper] = place.ends();
         let panel = LegendrePanel::new(&lower, &upper)?;
-        let image = self.height(&panel.ellipse()).filter(Analytic::is_bounded);
         let with_height = |node: LegendreNode| {
             let height = self.height(&node.place)?;
             height.is_bounded().then_some((node, height))
         };
         let nodes: Vec<_> = panel.nodes().ok()?.into_iter().map(with_height).collect::<Option<_>>().unwrap_or_default();
+        // Without heights an image is of no use.
+        let image = self.height(&panel.ellipse()).filter(|image| !nodes.is_empty() && image.is_bounded());
         let is_smooth = image.as_ref().is_some_and(|image| is_smooth(&panel, image, &nodes));
         Some(Cell { panel, nodes, image, is_smooth })
     }
