@@ -109,3 +109,12 @@ fn integrals_of_the_parabola() {
     let slopes = parabola.integrals(&DoubleInterval::point(2.0), Order::Curvature);
     assert!(slopes.iter().all(|slope| (slope.upper() - 11.2).abs() < 1e-14), "{slopes:?}");
 }
+
+/// Where f is level, as just before a pole, its terms cancel, and the cells are not called narrow.
+#[test]
+fn level_heights_are_not_narrow() {
+    let pole = store("r^2/2 - 0.01/(1 + ((r - 0.4)/1e-4)^2)");
+    for x in ["0.39915", "0.39917478", "0.3992", "0.3995"] {
+        assert!(matches!(pole.below(&number(x)), Below::Cut(_)), "{x}");
+    }
+}

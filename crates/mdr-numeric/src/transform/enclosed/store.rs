@@ -23,8 +23,9 @@ const KEPT: usize = 4096;
 const MOST: usize = 600;
 /// Octaves below the radius in which cells lie.
 const DEEPEST: i32 = 62;
-/// Where the remainder of a rule for f alone is this share of the spread of f, or less, nothing on the cell is narrow.
-const SMOOTH: f64 = 1.0 / (1_u128 << 90) as f64;
+/// Where the remainder of the rule for f alone is at most so many times that of a half, 4 for a line and e^(2(L/s)²/3) times as much for a dip
+/// of width s, nothing on a cell of length L is narrow.
+const SMOOTH: f64 = 64.0;
 /// The remainder of a cell is below this share of the relative width of x,
 const BELOW_WIDTH: f64 = 1.0 / 64.0;
 /// and need not be below this share of the sum.
@@ -116,8 +117,19 @@ impl Store {
         let nodes: Vec<_> = panel.nodes().ok()?.into_iter().map(with_height).collect::<Option<_>>().unwrap_or_default();
         // Without heights an image is of no use.
         let image = self.height(&panel.ellipse()).filter(|image| !nodes.is_empty() && image.is_bounded());
-        let is_smooth = image.as_ref().is_some_and(|image| is_smooth(&panel, image, &nodes));
+        let is_smooth = image.as_ref().is_some_and(|image| self.is_as_smooth(place, panel.remainder(image)));
         Some(Cell { panel, nodes, image, is_smooth })
+    }
+
+    /// Whether f varies little more on the ellipse of a cell than on those of its halves, by the remainder of the rule for f alone.
+    fn is_as_smooth(&self, place: Place, whole: Option<DoubleInterval>) -> bool {
+        let of_half = |half: Place| {
+            let [lower, upper] = half.ends();
+            let panel = LegendrePanel::new(&lower, &upper)?;
+            panel.remainder(&self.height(&panel.ellipse())?).map(|remainder| remainder.upper())
+        };
+        let halves = place.halves().map(of_half).into_iter().flatten().fold(0.0, f64::max);
+        whole.is_some_and(|whole| whole.upper() <= SMOOTH * halves)
     }
 
     /// f over a set of radii.
@@ -185,15 +197,6 @@ impl Store {
 /// The width of an interval of radii over its lower end.
 pub(super) fn relative_width(x: &Interval) -> f64 {
     (Float::with_val(BOUND_BITS, x.upper() - x.lower()) / x.lower()).to_f64()
-}
-
-/// By the remainder of the rule for f alone, beside the spread of the heights.
-fn is_smooth(panel: &LegendrePanel, image: &Rectangle<DoubleInterval>, nodes: &[(LegendreNode, Interval)]) -> bool {
-    let mut ends = nodes.iter().map(|(_, height)| height.approx());
-    let Some(first) = ends.next() else { return false };
-    let [least, most] = ends.fold([first; 2], |[least, most], end| [least.min(end), most.max(end)]);
-    let length = panel.range().upper() - panel.range().lower();
-    panel.remainder(image).is_some_and(|remainder| remainder.upper() <= SMOOTH * length * (most - least))
 }
 
 /// What is integrated beside h, with s = x² − r²: r/(x√s) in the mean of g, −x r s^(−3/2) in g, x r (2s + 3r²) s^(−5/2) in x g', and
