@@ -68,8 +68,7 @@ pub fn isolate<R: Real>(
     f: impl FnMut(&R) -> Result<R>,
     test: impl FnMut(&R, &R) -> Result<Behaviour>,
 ) -> Result<Isolation<R>> {
-    let effort = Effort { evaluations: budget, narrowest: lower.unit_roundoff().sqrt() };
-    isolate_each(lower, upper, &effort, f, test, |_| Ok(()))
+    isolate_each(lower, upper, &Effort::of(budget, lower), f, test, |_| Ok(()))
 }
 
 /// How much an isolation may take.
@@ -81,7 +80,15 @@ pub struct Effort<R> {
     pub narrowest: R,
 }
 
-/// The sign changes of [`isolate`] with another effort, of which each is given to `found` before the next one is looked for. Where an evaluation or `found`
+impl<R: Real> Effort<R> {
+    /// About so many evaluations, of cells down to √u, u the unit roundoff of an arithmetic: there a double zero and a pair of zeros can no
+    /// longer be told apart.
+    pub fn of(evaluations: usize, like: &R) -> Self {
+        Effort { evaluations, narrowest: like.unit_roundoff().sqrt() }
+    }
+}
+
+/// The sign changes of [`isolate`] with a given effort, of which each is given to `found` before the next one is looked for. Where an evaluation or `found`
 /// returns [`Error::BudgetSpent`], all that is left is undecided. Where the test or `found` returns [`Error::Unproved`], or f does in
 /// the middle of a cell and half-way to both of its ends, that cell is undecided, and the others are still looked at.
 ///

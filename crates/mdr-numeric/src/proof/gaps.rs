@@ -51,7 +51,7 @@ pub struct EnclosedGaps {
     kept: Recent<(Place, GapVerdict)>,
     /// In place of integrals over the profile.
     staircases: Option<Staircases>,
-    /// Beside them.
+    /// The minima of d, for where integrals over the profile take long.
     floor: Option<Floor>,
 }
 

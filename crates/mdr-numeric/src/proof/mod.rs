@@ -163,7 +163,7 @@ impl EnclosedCurve {
         let condition = |a: &Interval| self.signed_condition(a);
         let behaviour = |a: &Interval, b: &Interval| self.behaviour(&a.hull(b));
         let (mut folds, mut merged) = (Vec::new(), Vec::new());
-        let effort = Effort { evaluations: budget, narrowest: self.narrowest() };
+        let effort = self.effort(budget);
         let isolation = isolate_each(&ends[0], &ends[1], &effort, condition, behaviour, |bracket| {
             let cell = bracket.lower.x.hull(&bracket.upper.x);
             match self.fold_in(&cell, bracket.lower.f < bracket.upper.f)? {
@@ -187,11 +187,15 @@ impl EnclosedCurve {
         Ok(())
     }
 
-    /// The share of its radius down to which a cell is halved: the root of the unit roundoff, where a double zero and a pair of zeros can no
-    /// longer be told apart, and less of integrals, of which something may be as narrow.
-    fn narrowest(&self) -> Interval {
-        let roundoff = self.plain.modulus().unit_roundoff();
-        if self.is_by_integrals { roundoff.pow(&roundoff.lit(2).over(3)) } else { Real::sqrt(&roundoff) }
+    /// The effort of an isolation. Where g is an integral, something in the profile may be narrower than the root of the unit roundoff, and
+    /// cells are halved further.
+    fn effort(&self, evaluations: usize) -> Effort<Interval> {
+        let like = self.plain.modulus();
+        let effort = Effort::of(evaluations, like);
+        if !self.is_by_integrals {
+            return effort;
+        }
+        Effort { narrowest: like.unit_roundoff().pow(&like.lit(2).over(3)), ..effort }
     }
 
     /// The fold in a cell that isolates it, in the finer precision; `None` where that is not proved.

@@ -50,14 +50,17 @@ impl Enclosed {
 
     /// The curve under a controlled force, whose folds are those of F.
     pub(crate) fn curve_of_force(&self) -> EnclosedCurve {
-        let (value, dual) = (self.value.contact(), self.dual.contact());
-        EnclosedCurve::new(value.with_control(Control::Force), dual.with_control(Control::Force))
+        self.curve_under(Control::Force, Control::Force)
     }
 
     /// The curve at fixed grips, whose folds are those of d.
     fn curve_at_fixed_grips(&self) -> EnclosedCurve {
-        let (value, dual) = (self.value.contact(), self.dual.contact());
-        EnclosedCurve::new(value.with_control(Control::Indentation), dual.with_control(Control::Indentation))
+        self.curve_under(Control::Indentation, Control::Indentation)
+    }
+
+    /// The curve under one control, over enclosures and over enclosures with derivatives.
+    fn curve_under(&self, value: Control<Interval>, dual: Control<Dual<Interval>>) -> EnclosedCurve {
+        EnclosedCurve::new(self.value.contact().with_control(value), self.dual.contact().with_control(dual))
     }
 }
 

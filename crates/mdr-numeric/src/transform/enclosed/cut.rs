@@ -20,7 +20,8 @@ use mdr_core::number::{Interval, Real};
 use rug::Float;
 
 use super::ray::is_moderate;
-use super::store::{Below, Parabola, Store, relative_width, widened};
+use super::span::relative_width;
+use super::store::{Below, Parabola, Store, widened};
 use super::{Enclosed, KEPT, MOST, Order};
 use crate::recent::Recent;
 
@@ -34,7 +35,7 @@ const NARROWEST: f64 = 1.0 / (1_u64 << 45) as f64;
 /// After so many cuts that did not help they are no longer tried: waves that are everywhere are not better known from cuts.
 const TRIALS: u32 = 64;
 
-/// How many cuts in a row have not helped, and whether the last one did.
+/// How many cuts have not helped, and whether one has.
 #[derive(Debug, Default)]
 pub(super) struct Cuts {
     failures: AtomicU32,
@@ -52,9 +53,11 @@ impl Cuts {
     }
 
     fn note(&self, has_helped: bool) {
-        let failures = if has_helped { 0 } else { self.failures.load(Ordering::Relaxed) + 1 };
-        self.failures.store(failures, Ordering::Relaxed);
-        self.come_first.store(has_helped, Ordering::Relaxed);
+        if has_helped {
+            self.come_first.store(true, Ordering::Relaxed);
+        } else {
+            self.failures.fetch_add(1, Ordering::Relaxed);
+        }
     }
 }
 

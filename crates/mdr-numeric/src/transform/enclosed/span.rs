@@ -34,7 +34,7 @@ impl Span {
     pub(super) fn of(x: &Interval) -> Self {
         let bits = x.lower().prec();
         let ratio = Float::with_val_round(BOUND_BITS, x.upper() / x.lower(), Round::Up).0;
-        let width = Float::with_val_round(BOUND_BITS, x.upper() - x.lower(), Round::Up).0 / x.lower();
+        let width = relative_width(x);
         let by_width = Float::with_val(BOUND_BITS, &width) >> BELOW_WIDTH;
         // Half of the bits say all about an interval of that width.
         let is_wide = width > Float::with_val(BOUND_BITS, Float::i_exp(1, -(bits as i32) / 2));
@@ -45,6 +45,11 @@ impl Span {
         };
         Span { is_wide, ratio, bits: enough, aim: finest(enough).max(&by_width) }
     }
+}
+
+/// The width of an interval of radii over its lower end.
+pub(super) fn relative_width(x: &Interval) -> Float {
+    Float::with_val_round(BOUND_BITS, x.upper() - x.lower(), Round::Up).0 / x.lower()
 }
 
 /// The finest aim for so many bits.

@@ -16,6 +16,7 @@ use rug::Float;
 use rug::float::Round;
 
 use super::Order;
+use super::span::relative_width;
 
 /// Cells that are kept, at most.
 const KEPT: usize = 4096;
@@ -177,6 +178,7 @@ impl Store {
         parabola: &Parabola,
     ) -> Option<Vec<DoubleInterval>> {
         let all = Place { exponent: x.lower().get_exp()?, index: 0 };
+        let in_doubles = DoubleInterval::around(x);
         let mut inside = Inside {
             store: self,
             nearest: x.lower(),
@@ -184,19 +186,14 @@ impl Store {
             deepest: all.exponent - DEEPEST,
             kernel: Kernel { x, order },
             parabola,
-            in_doubles: DoubleInterval::around(x),
-            aim: LEAST.max(BELOW_WIDTH * relative_width(x)),
-            sums: parabola.integrals(&DoubleInterval::around(x), order),
+            in_doubles,
+            aim: LEAST.max(BELOW_WIDTH * relative_width(x).to_f64()),
+            sums: parabola.integrals(&in_doubles, order),
             looked_at: 0,
         };
         inside.add(all)?;
         Some(inside.sums)
     }
-}
-
-/// The width of an interval of radii over its lower end.
-pub(super) fn relative_width(x: &Interval) -> f64 {
-    (Float::with_val(BOUND_BITS, x.upper() - x.lower()) / x.lower()).to_f64()
 }
 
 /// What is integrated beside h, with s = x² − r²: r/(x√s) in the mean of g, −x r s^(−3/2) in g, x r (2s + 3r²) s^(−5/2) in x g', and
@@ -239,7 +236,7 @@ struct Inside<'a> {
     deepest: i32,
     kernel: Kernel<'a>,
     parabola: &'a Parabola,
-    /// x.
+    /// x in doubles.
     in_doubles: DoubleInterval,
     /// The remainder that a cell may have, as a share of the sum.
     aim: f64,
