@@ -222,22 +222,27 @@ def quadrature(f, lower, upper):
     return value.real * width
 
 
-def refine(f, lower, upper, steps=140):
-    """The zero between two points where f certainly has different signs."""
-    left, right = f(lower), f(upper)
-    if not ((left < 0 and right > 0) or (left > 0 and right < 0)):
+def refine(f, lower, upper, bits=140):
+    """The zero between two points where f certainly has different signs, to so many bits of their distance: secants lead to it,
+    and certain signs on both of its sides prove it."""
+    last, x = arb(lower.mid()), arb(upper.mid())
+    before, value = f(last), f(x)
+    if not ((before < 0 and value > 0) or (before > 0 and value < 0)):
         raise ValueError("no certain change of sign")
-    rising = bool(left < 0)
-    for _ in range(steps):
-        middle = arb(((lower + upper) / 2).mid())
-        value = f(middle)
-        if value > 0:
-            lower, upper = (lower, middle) if rising else (middle, upper)
-        elif value < 0:
-            lower, upper = (middle, upper) if rising else (lower, middle)
-        else:
-            break
-    return lower.union(upper)
+    rising, lower, upper, close = bool(before < 0), last, x, (x - last) / arb(2) ** bits
+    while bool(abs(x - last) > close / 4) and not value.contains(0):
+        # The zero stays between the points: a secant that leaves them is replaced by a bisection.
+        lower, upper = (x, upper) if bool(value < 0) == rising else (lower, x)
+        secant = arb((x - value * (x - last) / (value - before)).mid())
+        last, before = x, value
+        x = secant if bool(lower < secant) and bool(secant < upper) else arb(((lower + upper) / 2).mid())
+        value = f(x)
+    # What f itself is not certain of makes the enclosure wider.
+    for close in (close * 2**wider for wider in range(0, 80, 8)):
+        below, above = f(arb((x - close).mid())), f(arb((x + close).mid()))
+        if (below < 0 and above > 0) if rising else (below > 0 and above < 0):
+            return (x - close).union(x + close)
+    raise ValueError("no certain change of sign beside a zero")
 
 
 class Records:
@@ -399,7 +404,7 @@ def loop(record, given):
         while not held(law, upper, control) > target:
             upper *= 2
         lower = upper / 4096 if law.w == 0 else law.critical_radius(arb(3 if control == "force" else 1))
-        return refine(lambda a: held(law, a, control) - target, lower, upper, 600)
+        return refine(lambda a: held(law, a, control) - target, lower, upper, 300)
 
     if formula == "loop-preload":
         return held(inward, fold, control)
