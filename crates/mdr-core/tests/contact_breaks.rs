@@ -22,7 +22,7 @@ fn profile(formula: &str, given: &[(&str, &str)]) -> ExpressionProfile<f64> {
 #[test]
 fn kinks_are_where_they_were_put() {
     let golden = (1.0 + 5f64.sqrt()) / 2.0;
-    let cases: [(&str, &[f64]); 23] = [
+    let cases: [(&str, &[f64]); 26] = [
         ("r^2", &[]),
         ("abs(1 - cosh(r) + r) + sqrt(cosh(r) - 1) + sqrt(sqrt(1 + r^2) - 1)", &[1.616137513774314]),
         ("abs(r - 1) - 1", &[1.0]),
@@ -46,6 +46,10 @@ fn kinks_are_where_they_were_put() {
         ("sqrt(r^2 + 1) - 1", &[]),
         ("r^1.5 + r^0.25", &[]),
         ("abs(r^4 - 5*r^2 + 4)", &[1.0, 2.0]),
+        // What cancels far out and at the axis: 2r − 2, 3r² − 9 and 3r/4 − r².
+        ("min(r^2, 1 + (r - 1)^2)", &[1.0]),
+        ("max(0, (r + 1)^3 - 1 - 3*r - r^3 - 9)", &[3f64.sqrt()]),
+        ("abs(r*(r - 1)^2 + r^2 - r^3 - r/4) + r", &[0.75]),
     ];
     for (formula, expected) in cases {
         let found = profile(formula, &[]);

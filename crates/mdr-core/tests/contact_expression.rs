@@ -71,3 +71,33 @@ fn powers_of_a_flat_are_flat() {
         assert_eq!([f.value.value, f.value.slope, f.slope.value, f.slope.slope], [0.0; 4], "{text}");
     }
 }
+
+/// Far from a step and from a peak doubles have derivatives, though e^u is beyond their range.
+#[test]
+fn steps_and_peaks_are_flat_far_away() {
+    for text in
+        ["tanh((r - 0.4)/1e-6)", "1/(1 + exp((0.4 - r)/1e-6))", "1/(1 + exp((r - 0.4)/1e-6))", "r/cosh((r - 0.4)/1e-6)"]
+    {
+        let formula: Expression = text.parse().unwrap();
+        let profile = formula.bind::<f64>((), &BTreeMap::new()).unwrap();
+        for r in [0.2, 0.6] {
+            let f = profile.height(&Dual::variable(Dual::variable(r)));
+            assert!(f.value.value.abs() <= 1.0, "{text} at {r}: {f:?}");
+            assert_eq!([f.value.slope, f.slope.value, f.slope.slope], [0.0; 3], "{text} at {r}");
+        }
+    }
+}
+
+/// A peak keeps its value and its slope where the ways to compute them meet.
+#[test]
+fn a_peak_is_the_same_in_both_ways() {
+    for u in [299.0_f64, 301.0, -299.0, -301.0] {
+        let formula: Expression = "0.7/cosh(r)".parse().unwrap();
+        let f = formula.bind::<f64>((), &BTreeMap::new()).unwrap().height(&Dual::variable(u));
+        let value = 0.7 / u.cosh();
+        assert!(
+            (f.value / value - 1.0).abs() < 1e-13 && (f.slope / (-value * u.tanh()) - 1.0).abs() < 1e-13,
+            "{u}: {f:?}"
+        );
+    }
+}

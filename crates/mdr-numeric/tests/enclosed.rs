@@ -70,6 +70,49 @@ fn closed_forms_are_contained() {
     }
 }
 
+/// (1 + r)³ − 1 − 3r − r³/2 is 3r² + r³/2, with g = 6x² + 3πx³/8: what cancels in sums of powers costs no digits.
+#[test]
+fn what_cancels_in_sums_of_powers_costs_nothing() {
+    for formula in ["(1 + r)^3 - 1 - 3*r - r^3/2", "r*(r + 2)^2 - 4*r - 4*r^2 + 3*r^2 - r^3/2"] {
+        for x in ["1e-40", "1", "1e40"] {
+            for bits in [24, 64, 114] {
+                let (at, exact) = (number(x, bits), number(x, 400));
+                let truth = exact.square().times(6) + exact.pi().times(3).over(8) * exact.powi(3);
+                let g = enclosed(formula, bits).g(&at).unwrap();
+                assert!(g.overlaps(&truth), "{formula} at {x}, {bits} bits: {g} without {truth}");
+                assert!(g.accuracy_bits() > i64::from(bits) - 24, "{formula} at {x}, {bits} bits: {g}");
+            }
+        }
+    }
+}
+
+/// Far outside of a bump of width 1 samples of the integrand see nothing of it. g of 1 − e^(−r²) is 2x D(x) with Dawson's integral D: the
+/// sum of tₖ = (2k − 1)!!/(2x²)ᵏ, asymptotically.
+#[test]
+fn bumps_are_contained_far_outside_of_them() {
+    for (x, octaves) in [("20", 12), ("200", 18), ("1e4", 30), ("1e6", 42)] {
+        for bits in [24, 64, 114, 214] {
+            let square = number(x, 400).square().times(2);
+            let one = square.lit(1);
+            let (mut g, mut slope, mut term) = (one.clone(), one.lit(0), one.clone());
+            for k in 1..=40 {
+                term = term.times(2 * k - 1) / &square;
+                g += &term;
+                slope -= &term.clone().times(2 * k);
+            }
+            let error = term.abs().times(100);
+            let [g, slope] = [g, slope / number(x, 400)].map(|truth| truth.inflate(&error));
+            let (enclosed, at) = (enclosed("1 - exp(-r^2)", bits), number(x, bits));
+            let found = [enclosed.g(&at), enclosed.slope(&at)].map(Result::unwrap);
+            assert!(found[0].overlaps(&g) && found[1].overlaps(&slope), "{x} at {bits} bits: {found:?}");
+            assert!(found[0].accuracy_bits() > i64::from(bits) - 24, "{x} at {bits} bits: {}", found[0]);
+            // x g' is so much less than what is integrated.
+            let accuracy = found[1].accuracy_bits();
+            assert!(accuracy > i64::from(bits) - 24 - octaves, "{x} at {bits} bits: {} ({accuracy} bits)", found[1]);
+        }
+    }
+}
+
 /// Fractional powers of r, integrated over the root of r in which they are analytic at the axis: r^(7/3) against its closed form,
 /// √(r + r²) against a quadrature of mpmath, also at so few bits that a missing remainder would show.
 #[test]

@@ -11,6 +11,7 @@ use std::collections::BTreeMap;
 use rug::Float;
 
 use super::onset::Split;
+use super::powers::without_cancelled;
 use super::switch::MaybeZero;
 use super::{Constant, Expression, ExpressionError, ExpressionProfile, Function, Node, Operator};
 use crate::calculus::roots::{self, Bracket};
@@ -256,6 +257,9 @@ fn factors(node: &Node<Constant>, found: &mut Vec<Node<Constant>>) {
         Node::Operation(Operator::Multiply | Operator::Divide, a, b) => {
             factors(a, found);
             factors(b, found);
+        }
+        Node::Operation(Operator::Add | Operator::Subtract, ..) => {
+            found.push(without_cancelled(node).map_or_else(|| node.clone(), |(_, sum)| sum));
         }
         other => found.push(other.clone()),
     }

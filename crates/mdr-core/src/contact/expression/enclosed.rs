@@ -73,7 +73,7 @@ impl Expression {
         breaks: &Breaks,
         precision: Precision,
     ) -> Result<EnclosedFormula, ExpressionError> {
-        let root = self.with_values(values)?;
+        let root = self.with_values(values)?.without_cancelled();
         Ok(EnclosedFormula::new(&root, breaks, precision))
     }
 }

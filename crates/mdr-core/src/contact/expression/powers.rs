@@ -41,6 +41,30 @@ impl Expression {
 }
 
 impl Node<Constant> {
+    /// The same function at r > 0, without what cancels in its sums of powers.
+    pub(super) fn without_cancelled(&self) -> Node<Constant> {
+        if let Node::Operation(Operator::Add | Operator::Subtract, ..) = self {
+            if let Some(sum) = without_cancelled(self).and_then(|(n, sum)| times_power(sum, &n)) {
+                return sum;
+            }
+            if self.powers().is_some() {
+                return self.clone();
+            }
+        }
+        self.with_inner(Node::without_cancelled)
+    }
+
+    /// What is added and subtracted.
+    fn terms<'a>(&'a self, found: &mut Vec<&'a Node<Constant>>) {
+        match self {
+            Node::Negative(x) => x.terms(found),
+            Node::Operation(Operator::Add | Operator::Subtract, a, b) => {
+                [a, b].into_iter().for_each(|x| x.terms(found))
+            }
+            term => found.push(term),
+        }
+    }
+
     /// The formula as a sum of powers of r, if it is one.
     pub(super) fn powers(&self) -> Option<Sum> {
         let sum = match self {
@@ -67,6 +91,44 @@ impl Node<Constant> {
             |number: &Rational| number.numer().significant_bits() + number.denom().significant_bits() <= BITS;
         (sum.len() <= TERMS && sum.iter().all(|(n, c)| is_short(n) && is_short(c))).then_some(sum)
     }
+}
+
+/// A sum of powers in which something cancels at the axis or far out, where enclosures lose its sign: its lowest power n, and the sum
+/// over rⁿ without what cancels. `None` where nothing cancels, or everything.
+pub(super) fn without_cancelled(sum: &Node<Constant>) -> Option<(Rational, Node<Constant>)> {
+    let whole = sum.powers()?;
+    let (least, most) = (whole.first_key_value()?.0, whole.last_key_value()?.0);
+    let mut terms = Vec::new();
+    sum.terms(&mut terms);
+    let cancels = terms.iter().filter_map(|term| term.powers()).any(|term| {
+        term.keys().next().is_some_and(|lowest| lowest < least) || term.keys().next_back().is_some_and(|n| n > most)
+    });
+    if !cancels {
+        return None;
+    }
+    let mut terms = whole.iter().map(|(n, c)| times_power(fraction(c)?, &Rational::from(n - least)));
+    let first = terms.next()??;
+    let sum =
+        terms.try_fold(first, |sum, term| Some(Node::Operation(Operator::Add, Box::new(sum), Box::new(term?))))?;
+    Some((least.clone(), sum))
+}
+
+/// A factor times rⁿ.
+fn times_power(factor: Node<Constant>, n: &Rational) -> Option<Node<Constant>> {
+    let variable = Box::new(Node::Variable);
+    let power = match n.is_integer().then(|| n.numer().to_i64()) {
+        Some(Some(0)) => return Some(factor),
+        Some(n) => Node::Power(variable, n?),
+        None => Node::Operation(Operator::Power, variable, Box::new(fraction(n)?)),
+    };
+    Some(Node::Operation(Operator::Multiply, Box::new(factor), Box::new(power)))
+}
+
+/// A rational number as a quotient of two whole ones.
+fn fraction(value: &Rational) -> Option<Node<Constant>> {
+    let whole =
+        |number: &rug::Integer| Some(Box::new(Node::Constant(Constant::Literal(number.to_string().parse().ok()?))));
+    Some(Node::Operation(Operator::Divide, whole(value.numer())?, whole(value.denom())?))
 }
 
 fn constant(value: Rational) -> Sum {

@@ -153,12 +153,20 @@ impl<R: Special> Node<R> {
         })
     }
 
-    /// a/(c + e^u) where e^u is large, as a e^(−u)/(c e^(−u) + 1): the derivatives of a quotient by an infinity are no numbers.
+    /// a/(c + e^u) where e^u is large, as a e^(−u)/(c e^(−u) + 1), and a/cosh u as 2a e^(−|u|)/(1 + e^(−2|u|)): the derivatives of a
+    /// quotient by an infinity are no numbers.
     pub(super) fn over_large_exponential<S: Lift<R>>(&self, r: &S) -> Option<S> {
         let Node::Operation(Operator::Divide, a, b) = self else { return None };
+        let is_large = |u: &S| u.value_of() > u.value_of().lit(LARGE);
+        if let Node::Function(Function::Cosh, u) = &**b {
+            let u = u.value(r);
+            let size = if is_large(&u) { u } else { -u };
+            let e = is_large(&size).then(|| (-size).exp())?;
+            return Some(a.value(r).times(2) * &e / (e.clone().square() + e.lit(1)));
+        }
         let (c, u) = b.beside_exponential()?;
         let u = u.value(r);
-        if !(u.value_of() > u.value_of().lit(LARGE)) {
+        if !is_large(&u) {
             return None;
         }
         let e = (-u).exp();

@@ -38,6 +38,12 @@ use store::Store;
 const PIECES: usize = 400;
 /// and over an interval of radii, where too few only lead to narrower intervals.
 const PIECES_OF_INTERVAL: usize = 120;
+/// The samples of an integrand see it if one is more than the radius times 2^−LEAST_SEEN; otherwise there are more of them, as many
+/// octaves closer to the axis.
+const LEAST_SEEN: u32 = 30;
+const FARTHEST: u32 = 18;
+/// What is less than the radius times 2^−NOTHING is no measure of an integral.
+const NOTHING: u32 = 180;
 /// Over wide intervals of radii g' is bounded by ranges of (r f')' on so many parts of the quarter circle.
 const RANGES: i64 = 12;
 /// Recent integrals that are kept.
@@ -253,22 +259,34 @@ impl Enclosed {
         all.try_fold(first, |hull, other| Some(hull.iter().zip(&other?).map(|(one, other)| one.hull(other)).collect()))
     }
 
-    /// The aim: relative to samples of the integrand.
+    /// The aim: relative to samples of the integrand, and to samples near the axis too where the first see hardly anything, as far
+    /// outside of a bump.
     fn goal(&self, x: &Interval, order: Order, gaps: &[Gap], span: &Span) -> Option<Goal> {
         const SAMPLES: [f64; 5] = [0.97, 0.71, 0.43, 0.23, 0.11];
         let middle = x.midpoint();
         let mut sizes = vec![Float::new(BOUND_BITS); order.count()];
-        for t in SAMPLES {
+        let mut see = |t: f64| {
             let t = self.weight.sample(&Interval::point(Float::with_val(BOUND_BITS, t)));
             let beyond = gaps.iter().rev().find(|gap| gap.to <= *t.lower());
             let ray = self.ray(beyond.map_or(0, |gap| gap.last), &middle, order)?;
             for (size, value) in sizes.iter_mut().zip(ray.at(&t).into_iter().flatten()) {
                 size.max_mut(value.abs().upper());
             }
+            Some(sizes.iter().fold(Float::new(BOUND_BITS), |largest, size| largest.max(size)))
+        };
+        let mut largest = Float::new(BOUND_BITS);
+        for t in SAMPLES {
+            largest = see(t)?;
+        }
+        let size = |bits: u32| Float::with_val(BOUND_BITS, x.upper()) >> bits;
+        for octaves in (6..=FARTHEST).step_by(6) {
+            if largest >= size(LEAST_SEEN) {
+                break;
+            }
+            largest = see(0.11 / f64::from(octaves).exp2())?;
         }
         // Where samples see nothing, some size: of a component beside it, or of the radius.
-        let largest = sizes.iter().fold(Float::new(BOUND_BITS), |largest, size| largest.max(size));
-        let least = if largest.is_zero() { Float::with_val(BOUND_BITS, x.upper()) } else { largest } >> 20u32;
+        let least = if largest.is_zero() { size(0) } else { largest.max(&size(NOTHING)) } >> 20u32;
         let tolerances = sizes.into_iter().map(|size| size.max(&least) * &span.aim).collect();
         let pieces = if span.is_wide { PIECES_OF_INTERVAL } else { PIECES };
         Some(Goal { bits: span.bits, tolerances, pieces })
