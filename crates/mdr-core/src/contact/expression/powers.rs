@@ -41,7 +41,7 @@ impl Expression {
 }
 
 impl Node<Constant> {
-    /// The same function at r > 0, without what cancels in its sums of powers.
+    /// A formula with the same values at r > 0, in whose sums of powers nothing cancels at the axis or far out.
     pub(super) fn without_cancelled(&self) -> Node<Constant> {
         if let Node::Operation(Operator::Add | Operator::Subtract, ..) = self {
             if let Some(sum) = without_cancelled(self).and_then(|(n, sum)| times_power(sum, &n)) {

@@ -38,9 +38,9 @@ use store::Store;
 const PIECES: usize = 400;
 /// and over an interval of radii, where too few only lead to narrower intervals.
 const PIECES_OF_INTERVAL: usize = 120;
-/// The samples of an integrand see it if one is more than the radius times 2^−LEAST_SEEN; otherwise there are more of them, as many
-/// octaves closer to the axis.
-const LEAST_SEEN: u32 = 30;
+/// The samples of an integrand see it if one is more than the radius times 2^−LEAST_SEEN;
+const LEAST_SEEN: u32 = 40;
+/// otherwise there are more of them, up to so many octaves closer to the axis.
 const FARTHEST: u32 = 18;
 /// What is less than the radius times 2^−NOTHING is no measure of an integral.
 const NOTHING: u32 = 180;
