@@ -230,7 +230,9 @@ def refine(f, lower, upper, bits=140):
     if not ((before < 0 and value > 0) or (before > 0 and value < 0)):
         raise ValueError("no certain change of sign")
     rising, lower, upper, close = bool(before < 0), last, x, (x - last) / arb(2) ** bits
-    while bool(abs(x - last) > close / 4) and not value.contains(0):
+    for _ in range(1000):
+        if value.contains(0) or not bool(abs(x - last) > close / 4):
+            break
         # The zero stays between the points: a secant that leaves them is replaced by a bisection.
         lower, upper = (x, upper) if bool(value < 0) == rising else (lower, x)
         secant = arb((x - value * (x - last) / (value - before)).mid())
