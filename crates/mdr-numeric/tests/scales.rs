@@ -94,7 +94,7 @@ fn a_power_may_leave_the_range_where_the_height_does_not() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 12 / 256))]
+    #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases * 6 / 256))]
 
     /// A change of the units of length and force by powers of two changes no bit.
     #[test]
