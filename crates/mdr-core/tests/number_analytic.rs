@@ -112,15 +112,18 @@ fn steps_are_known_far_away() {
         // A dozen roundings, half of them on each side.
         assert!(width < 16.0 * f64::EPSILON && height < f64::MIN_POSITIVE, "{tanh:?}");
     }
-    let formula: mdr_core::contact::Expression = "1/(1 + exp((0.5 - r)/1e-5))".parse().unwrap();
-    let none = Default::default();
-    let precision = Precision::new(64);
-    let enclosed = formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap();
-    let step = enclosed.part(0).unwrap();
-    for (centre, truth) in [(0.3, 0.0), (0.7, 1.0)] {
-        let re = DoubleInterval::point(centre - 0.1).hull(&DoubleInterval::point(centre + 0.1));
-        let value = step.at(&Rectangle::new(re, DoubleInterval::point(0.0).hull(&DoubleInterval::point(0.1)))).unwrap();
-        let off = [value.re().lower() - truth, value.re().upper() - truth, value.im().lower(), value.im().upper()];
-        assert!(off.iter().all(|off| off.abs() < 16.0 * f64::EPSILON), "{centre}: {value:?}");
+    for (formula, truths) in [("1/(1 + exp((0.5 - r)/1e-5))", [0.0, 1.0]), ("1/cosh((r - 0.5)/1e-5)", [0.0, 0.0])] {
+        let formula: mdr_core::contact::Expression = formula.parse().unwrap();
+        let none = Default::default();
+        let precision = Precision::new(64);
+        let enclosed = formula.enclosed(&none, &formula.breaks(&none).unwrap(), precision).unwrap();
+        let step = enclosed.part(0).unwrap();
+        for (centre, truth) in [0.3, 0.7].into_iter().zip(truths) {
+            let re = DoubleInterval::point(centre - 0.1).hull(&DoubleInterval::point(centre + 0.1));
+            let value =
+                step.at(&Rectangle::new(re, DoubleInterval::point(0.0).hull(&DoubleInterval::point(0.1)))).unwrap();
+            let off = [value.re().lower() - truth, value.re().upper() - truth, value.im().lower(), value.im().upper()];
+            assert!(off.iter().all(|off| off.abs() < 16.0 * f64::EPSILON), "{centre}: {value:?}");
+        }
     }
 }

@@ -183,6 +183,17 @@ pub(super) fn over_exponential<T: Analytic>(a: &T, c: &Interval, u: &T) -> Optio
     })
 }
 
+/// a/cosh u, which far on either side is 2a e^(−|u|)/(1 + e^(−2|u|)).
+#[cfg(feature = "mp")]
+pub(super) fn over_cosh<T: Analytic>(a: &T, u: &T) -> Option<T> {
+    let far = |u: T| {
+        let e = u.exp();
+        a.product(&e).multiplied(2).quotient(&e.squared().plus(&e.integer(1))).filter(T::is_bounded)
+    };
+    let direct = a.quotient(&u.sinh_cosh().1).filter(T::is_bounded);
+    direct.or_else(|| far(u.negated())).or_else(|| far(u.clone()))
+}
+
 #[cfg(feature = "mp")]
 impl Departure<'_, Interval> {
     /// The value over a set.
