@@ -38,11 +38,20 @@ const WITHIN_ONE: [Function; 4] = functions! {
     "arcsin x": Special::asin; "arccos x": Special::acos; "artanh x": Special::atanh; "ln(1 + x)": Real::ln_1p;
 };
 
-/// Both ends of an interval and numbers between them.
-fn samples(x: &DoubleInterval) -> Vec<f64> {
+/// A number that lies between the ends of an interval as k does between 0 and 1.
+fn between(x: &DoubleInterval, k: f64) -> f64 {
     let (lo, hi) = (x.lower(), x.upper());
-    let between = |k: f64| (lo + (hi - lo) * k).clamp(lo, hi);
-    vec![lo, hi, between(0.5), lo.next_up().min(hi), between(0.25), between(0.75)]
+    (lo + (hi - lo) * k).clamp(lo, hi)
+}
+
+/// Both ends of an interval, its middle and the number after its lower end.
+fn few_samples(x: &DoubleInterval) -> [f64; 4] {
+    [x.lower(), x.upper(), between(x, 0.5), x.lower().next_up().min(x.upper())]
+}
+
+/// More numbers of an interval than [`few_samples`] has.
+fn samples(x: &DoubleInterval) -> impl Iterator<Item = f64> {
+    few_samples(x).into_iter().chain([0.25, 0.75].map(|k| between(x, k)))
 }
 
 /// An interval of doubles is refuted by a truth that is certainly outside of it.
@@ -137,9 +146,9 @@ proptest! {
     #[test]
     fn rectangles(re in interval(number(-6..=3)), im in interval(number(-6..=2))) {
         let in_doubles = image(&Rectangle::new(re, im));
-        for x in &samples(&re)[..4] {
-            for y in &samples(&im)[..4] {
-                let point = [*x, *y].map(|end| Interval::from_f64(truth(), end));
+        for x in few_samples(&re) {
+            for y in few_samples(&im) {
+                let point = [x, y].map(|end| Interval::from_f64(truth(), end));
                 let [x, y] = point;
                 for ((name, found), (_, truth)) in in_doubles.iter().zip(image(&Rectangle::new(x.clone(), y.clone()))) {
                     let (Some(found), Some(truth)) = (found, truth) else { continue };

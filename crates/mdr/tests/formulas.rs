@@ -197,9 +197,11 @@ fn a_wave_as_a_formula_has_a_minimum_force() {
 /// cone of slope 1, at the radius 8w/πE*.
 #[test]
 fn a_height_whose_parts_underflow_leaves_the_start_open() {
-    for (formula, modulus, budget, first) in
-        [("(r^2)^0.5", "1e300", 10.0, "start"), ("sqrt(r^2 + r^4)", "1e200", 0.3, "undecided")]
-    {
+    for (formula, modulus, budget, first) in [
+        ("(r^2)^0.5", "1e300", 10.0, "start"),
+        ("sqrt(r^2 + r^4)", "1e200", 10.0, "start"),
+        ("(r^4)^0.25", "1e200", 1.0, "undecided"),
+    ] {
         let text = format!(
             "material = {{ e_star = \"{modulus}\", work_of_adhesion = \"1e-4\" }}
             profile = {{ kind = \"expression\", formula = \"{formula}\" }}

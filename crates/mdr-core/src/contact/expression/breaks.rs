@@ -11,7 +11,6 @@ use std::collections::BTreeMap;
 use rug::Float;
 
 use super::onset::Split;
-use super::powers::without_cancelled;
 use super::switch::MaybeZero;
 use super::{Constant, Expression, ExpressionError, ExpressionProfile, Function, Node, Operator};
 use crate::calculus::roots::{self, Bracket};
@@ -259,7 +258,8 @@ fn factors(node: &Node<Constant>, found: &mut Vec<Node<Constant>>) {
             factors(b, found);
         }
         Node::Operation(Operator::Add | Operator::Subtract, ..) => {
-            found.push(without_cancelled(node).map_or_else(|| node.clone(), |(_, sum)| sum));
+            let shorter = node.powers().and_then(|whole| node.over_lowest_power(&whole));
+            found.push(shorter.unwrap_or_else(|| node.clone()));
         }
         other => found.push(other.clone()),
     }

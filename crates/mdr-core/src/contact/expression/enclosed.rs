@@ -7,7 +7,6 @@ use rug::Float;
 
 use super::breaks::Breaks;
 use super::onset::Onsets;
-use super::steady::{over_cosh, over_exponential};
 use super::switch::{Switch, is_positive};
 use super::{Constant, Expression, ExpressionError, Function, Node, Operator};
 use crate::calculus::enclose::BOUND_BITS;
@@ -306,15 +305,8 @@ impl Node<Interval> {
         if let Some(departure) = self.departure() {
             return departure.analytic(r);
         }
-        if let Node::Operation(Operator::Divide, a, b) = self
-            && let Some((c, u)) = b.beside_exponential()
-        {
-            return over_exponential(&a.analytic(r)?, c, &u.analytic(r)?);
-        }
-        if let Node::Operation(Operator::Divide, a, b) = self
-            && let Node::Function(Function::Cosh, u) = &**b
-        {
-            return over_cosh(&a.analytic(r)?, &u.analytic(r)?);
+        if let Some((a, growing)) = self.over_growing() {
+            return growing.under(&a.analytic(r)?, r);
         }
         Some(match self {
             Node::Variable => r.clone(),

@@ -43,15 +43,26 @@ impl Expression {
 impl Node<Constant> {
     /// A formula with the same values at r > 0, in whose sums of powers nothing cancels at the axis or far out.
     pub(super) fn without_cancelled(&self) -> Node<Constant> {
-        if let Node::Operation(Operator::Add | Operator::Subtract, ..) = self {
-            if let Some(sum) = without_cancelled(self).and_then(|(n, sum)| times_power(sum, &n)) {
-                return sum;
-            }
-            if self.powers().is_some() {
-                return self.clone();
-            }
+        if let (Node::Operation(Operator::Add | Operator::Subtract, ..), Some(whole)) = (self, self.powers()) {
+            let shorter = self.over_lowest_power(&whole).and_then(|sum| times_power(sum, whole.first_key_value()?.0));
+            return shorter.unwrap_or_else(|| self.clone());
         }
         self.with_inner(Node::without_cancelled)
+    }
+
+    /// A sum of powers over its lowest one, with the same zeros at r > 0, if terms cancel in it at the axis or far out, where enclosures
+    /// lose its sign; `None` where none does, or all do.
+    pub(super) fn over_lowest_power(&self, whole: &Sum) -> Option<Node<Constant>> {
+        let (least, most) = (whole.first_key_value()?.0, whole.last_key_value()?.0);
+        let mut terms = Vec::new();
+        self.terms(&mut terms);
+        let is_beyond = |term: Sum| term.keys().any(|n| n < least || n > most);
+        if !terms.iter().filter_map(|term| term.powers()).any(is_beyond) {
+            return None;
+        }
+        let mut terms = whole.iter().map(|(n, c)| times_power(fraction(c)?, &Rational::from(n - least)));
+        let first = terms.next()??;
+        terms.try_fold(first, |sum, term| Some(Node::Operation(Operator::Add, Box::new(sum), Box::new(term?))))
     }
 
     /// What is added and subtracted.
@@ -91,26 +102,6 @@ impl Node<Constant> {
             |number: &Rational| number.numer().significant_bits() + number.denom().significant_bits() <= BITS;
         (sum.len() <= TERMS && sum.iter().all(|(n, c)| is_short(n) && is_short(c))).then_some(sum)
     }
-}
-
-/// A sum of powers in which something cancels at the axis or far out, where enclosures lose its sign: its lowest power n, and the sum
-/// over rⁿ without what cancels. `None` where nothing cancels, or everything.
-pub(super) fn without_cancelled(sum: &Node<Constant>) -> Option<(Rational, Node<Constant>)> {
-    let whole = sum.powers()?;
-    let (least, most) = (whole.first_key_value()?.0, whole.last_key_value()?.0);
-    let mut terms = Vec::new();
-    sum.terms(&mut terms);
-    let cancels = terms.iter().filter_map(|term| term.powers()).any(|term| {
-        term.keys().next().is_some_and(|lowest| lowest < least) || term.keys().next_back().is_some_and(|n| n > most)
-    });
-    if !cancels {
-        return None;
-    }
-    let mut terms = whole.iter().map(|(n, c)| times_power(fraction(c)?, &Rational::from(n - least)));
-    let first = terms.next()??;
-    let sum =
-        terms.try_fold(first, |sum, term| Some(Node::Operation(Operator::Add, Box::new(sum), Box::new(term?))))?;
-    Some((least.clone(), sum))
 }
 
 /// A factor times rⁿ.

@@ -144,54 +144,71 @@ impl<R: Special> Kind<'_, R> {
 /// The exponent above which an exponential function is not divided by: its square overflows in doubles above 354.
 const LARGE: i64 = 300;
 
+/// A denominator that grows as an exponential function.
+pub(super) enum Growing<'a, R> {
+    /// c + e^u with a constant c.
+    Exponential(&'a R, &'a Node<R>),
+    /// cosh u.
+    Cosh(&'a Node<R>),
+}
+
 impl<R: Special> Node<R> {
-    /// c and u of a sum c + exp(u) with a constant c.
-    pub(super) fn beside_exponential(&self) -> Option<(&R, &Node<R>)> {
-        self.parts_of_sum().find_map(|part| match part {
-            (Node::Constant(constant), Node::Function(Function::Exp, u), false) => Some((constant, &**u)),
+    /// The two sides of a quotient whose denominator grows as an exponential function.
+    pub(super) fn over_growing(&self) -> Option<(&Node<R>, Growing<'_, R>)> {
+        let Node::Operation(Operator::Divide, a, b) = self else { return None };
+        if let Node::Function(Function::Cosh, u) = &**b {
+            return Some((a, Growing::Cosh(u)));
+        }
+        let growing = b.parts_of_sum().find_map(|part| match part {
+            (Node::Constant(c), Node::Function(Function::Exp, u), false) => Some(Growing::Exponential(c, u)),
             _ => None,
-        })
+        })?;
+        Some((a, growing))
     }
 
     /// a/(c + e^u) where e^u is large, as a e^(−u)/(c e^(−u) + 1), and a/cosh u as 2a e^(−|u|)/(1 + e^(−2|u|)): the derivatives of a
     /// quotient by an infinity are no numbers.
     pub(super) fn over_large_exponential<S: Lift<R>>(&self, r: &S) -> Option<S> {
-        let Node::Operation(Operator::Divide, a, b) = self else { return None };
-        let is_large = |u: &S| u.value_of() > u.value_of().lit(LARGE);
-        if let Node::Function(Function::Cosh, u) = &**b {
-            let u = u.value(r);
-            let size = if is_large(&u) { u } else { -u };
-            let e = is_large(&size).then(|| (-size).exp())?;
-            return Some(a.value(r).times(2) * &e / (e.clone().square() + e.lit(1)));
-        }
-        let (c, u) = b.beside_exponential()?;
-        let u = u.value(r);
-        if !is_large(&u) {
-            return None;
-        }
-        let e = (-u).exp();
-        Some(a.value(r) * &e / (S::lift(c) * &e + e.lit(1)))
+        let (a, growing) = self.over_growing()?;
+        let inverse = |u: &S| (u.value_of() > u.value_of().lit(LARGE)).then(|| (-u.clone()).exp());
+        Some(match growing {
+            Growing::Exponential(c, u) => {
+                let e = inverse(&u.value(r))?;
+                a.value(r) * &e / (S::lift(c) * &e + e.lit(1))
+            }
+            Growing::Cosh(u) => {
+                let u = u.value(r);
+                let e = inverse(&u).or_else(|| inverse(&-u))?;
+                a.value(r).times(2) * &e / (e.clone().square() + e.lit(1))
+            }
+        })
     }
 }
 
 #[cfg(feature = "mp")]
-pub(super) fn over_exponential<T: Analytic>(a: &T, c: &Interval, u: &T) -> Option<T> {
-    let direct = a.quotient(&u.constant(c).plus(&u.exp()));
-    direct.filter(T::is_bounded).or_else(|| {
-        let e = u.negated().exp();
-        a.product(&e).quotient(&e.scaled(c).plus(&e.integer(1)))
-    })
-}
-
-/// a/cosh u, which far on either side is 2a e^(−|u|)/(1 + e^(−2|u|)).
-#[cfg(feature = "mp")]
-pub(super) fn over_cosh<T: Analytic>(a: &T, u: &T) -> Option<T> {
-    let far = |u: T| {
-        let e = u.exp();
-        a.product(&e).multiplied(2).quotient(&e.squared().plus(&e.integer(1))).filter(T::is_bounded)
-    };
-    let direct = a.quotient(&u.sinh_cosh().1).filter(T::is_bounded);
-    direct.or_else(|| far(u.negated())).or_else(|| far(u.clone()))
+impl Growing<'_, Interval> {
+    /// a over this, also where this has no bound.
+    pub(super) fn under<T: Analytic>(&self, a: &T, r: &T) -> Option<T> {
+        match self {
+            Growing::Exponential(c, u) => {
+                let u = u.analytic(r)?;
+                let direct = a.quotient(&u.constant(c).plus(&u.exp()));
+                direct.filter(T::is_bounded).or_else(|| {
+                    let e = u.negated().exp();
+                    a.product(&e).quotient(&e.scaled(c).plus(&e.integer(1)))
+                })
+            }
+            Growing::Cosh(u) => {
+                let u = u.analytic(r)?;
+                let far = |u: &T| {
+                    let e = u.exp();
+                    a.product(&e).multiplied(2).quotient(&e.squared().plus(&e.integer(1))).filter(T::is_bounded)
+                };
+                let direct = a.quotient(&u.sinh_cosh().1).filter(T::is_bounded);
+                direct.or_else(|| far(&u.negated())).or_else(|| far(&u))
+            }
+        }
+    }
 }
 
 #[cfg(feature = "mp")]

@@ -38,10 +38,8 @@ use store::Store;
 const PIECES: usize = 400;
 /// and over an interval of radii, where too few only lead to narrower intervals.
 const PIECES_OF_INTERVAL: usize = 120;
-/// The samples of an integrand see it if one is more than the radius times 2^−LEAST_SEEN;
+/// The samples of an integrand see it if one of them is more than the radius times 2^−LEAST_SEEN.
 const LEAST_SEEN: u32 = 40;
-/// otherwise there are more of them, up to so many octaves closer to the axis.
-const FARTHEST: u32 = 18;
 /// What is less than the radius times 2^−NOTHING is no measure of an integral.
 const NOTHING: u32 = 180;
 /// Over wide intervals of radii g' is bounded by ranges of (r f')' on so many parts of the quarter circle.
@@ -263,6 +261,7 @@ impl Enclosed {
     /// outside of a bump.
     fn goal(&self, x: &Interval, order: Order, gaps: &[Gap], span: &Span) -> Option<Goal> {
         const SAMPLES: [f64; 5] = [0.97, 0.71, 0.43, 0.23, 0.11];
+        const NEAR_AXIS: [f64; 3] = [0.11 / 64.0, 0.11 / 4096.0, 0.11 / 262_144.0];
         let middle = x.midpoint();
         let mut sizes = vec![Float::new(BOUND_BITS); order.count()];
         let mut see = |t: f64| {
@@ -279,11 +278,10 @@ impl Enclosed {
             largest = see(t)?;
         }
         let size = |bits: u32| Float::with_val(BOUND_BITS, x.upper()) >> bits;
-        for octaves in (6..=FARTHEST).step_by(6) {
-            if largest >= size(LEAST_SEEN) {
-                break;
+        for t in NEAR_AXIS {
+            if largest < size(LEAST_SEEN) {
+                largest = see(t)?;
             }
-            largest = see(0.11 / f64::from(octaves).exp2())?;
         }
         // Where samples see nothing, some size: of a component beside it, or of the radius.
         let least = if largest.is_zero() { size(0) } else { largest.max(&size(NOTHING)) } >> 20u32;
