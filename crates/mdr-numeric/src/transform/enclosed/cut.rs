@@ -9,19 +9,23 @@
 //!
 //! x²g'' = 4βx² − x³ ∫₀ᶜ h r (6s + 15r²) s^(−7/2) dr + (x²g'' of h from c on).
 //!
-//! The integrals up to c are (1.1) by parts, where nothing remains at c as h and h' are zero there. Their heights stay where they are, and are
-//! [kept](super::store): only the kernel depends on x, and it is smooth. What is zero up to c and h from there on is a formula with a kink in f''.
+//! The integrals up to c are the mean, g = (x times the mean)' and what follows from it for h up to c and 0 from there on. Their heights stay where
+//! they are, and are [kept](super::store): only the kernel depends on x, and it is smooth. What is zero up to c and h from there on is a formula
+//! with a kink in f''. As α and β are numbers, a step of h at c remains of their roundings; [its terms](of_step) are small, where roundings
+//! of the parabola itself would be large beside a steep dip.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
+use mdr_core::calculus::enclose::{BOUND_BITS, DOUBLE_BITS};
 use mdr_core::contact::{CutFormula, Result, Transform};
-use mdr_core::number::{Interval, Real};
+use mdr_core::number::{Interval, Precision, Real};
 use rug::Float;
 
+use super::inside::{Parabola, integrals};
 use super::ray::is_moderate;
-use super::span::relative_width;
-use super::store::{Below, Parabola, Store, widened};
+use super::span::{Span, relative_width};
+use super::store::{Below, Store};
 use super::{Enclosed, KEPT, MOST, Order};
 use crate::recent::Recent;
 
@@ -29,16 +33,21 @@ use crate::recent::Recent;
 const FEW: i64 = 2;
 /// a cut is tried, and helps where one of the enclosures is narrower by so much.
 const HELP: u32 = 4;
-/// Where a cut has helped, intervals wider than this share of their radius are no longer integrated along rays: in doubles they have a width.
+/// Where a cut has helped, intervals wider than this share of their radius are integrated in doubles.
 const NARROWEST: f64 = 1.0 / (1_u64 << 45) as f64;
 
 /// After so many cuts that did not help they are no longer tried: waves that are everywhere are not better known from cuts.
 const TRIALS: u32 = 64;
+/// At a radius, where a cut in many bits costs as much as rays, it is tried where cells below it are this number of octaves shorter than it,
+const DEEP: i32 = 5;
+/// and no longer after so many have taken too many cells.
+const FINE_TRIALS: u32 = 4;
 
-/// How many cuts have not helped, and whether one has.
+/// How many cuts have not helped, how many in many bits were not made, and whether one has helped.
 #[derive(Debug, Default)]
 pub(super) struct Cuts {
     failures: AtomicU32,
+    fine_failures: AtomicU32,
     come_first: AtomicBool,
 }
 
@@ -47,9 +56,15 @@ impl Cuts {
         self.failures.load(Ordering::Relaxed) < TRIALS
     }
 
-    /// Whether a cut is tried before rays are.
-    fn come_first(&self) -> bool {
-        self.come_first.load(Ordering::Relaxed)
+    /// Whether a cut is tried before rays are: over an interval, once one has helped.
+    fn come_first(&self, has_width: bool) -> bool {
+        let are_fine = || !has_width && self.fine_failures.load(Ordering::Relaxed) < FINE_TRIALS;
+        self.come_first.load(Ordering::Relaxed) || are_fine()
+    }
+
+    /// The octaves by which cells below a radius are shorter than it, at least.
+    fn least_depth(&self, has_width: bool) -> i32 {
+        if has_width || self.come_first.load(Ordering::Relaxed) { 0 } else { DEEP }
     }
 
     fn note(&self, has_helped: bool) {
@@ -72,54 +87,94 @@ enum FromCut {
 }
 
 impl Enclosed {
-    /// The integrals without powers that begin: along rays, or from a cut below x where rays say little.
+    /// The integrals without powers that begin: along rays, or from a cut below x where rays say little, or cost more.
     pub(super) fn by_cut_or_rays(&self, x: &Interval, order: Order) -> Result<Vec<Interval>> {
         let is_vague = |value: &Interval| value.accuracy_bits() < FEW;
-        let come_first = self.cuts.come_first();
-        let cut = if come_first { self.cut(x, order) } else { FromCut::Nothing };
         let has_width = relative_width(x) > NARROWEST;
-        match cut {
-            FromCut::Values(values) if has_width => return Ok(values),
-            FromCut::Unknown if has_width => return Ok(vec![Interval::entire(x.ctx()); order.count()]),
-            _ => (),
+        let come_first = self.cuts.come_first(has_width);
+        if come_first {
+            match self.cut(x, order, has_width) {
+                FromCut::Values(values) => return Ok(values),
+                FromCut::Unknown if has_width => return Ok(vec![Interval::entire(x.ctx()); order.count()]),
+                _ => (),
+            }
         }
         let mut values = self.between_breaks(x, order, self.formula.breaks())?;
         self.add_kinks(x, order, &mut values);
         let is_tried = !come_first && values.iter().any(is_vague) && self.cuts.are_tried();
-        let FromCut::Values(cut) = (if is_tried { self.cut(x, order) } else { cut }) else { return Ok(values) };
-        if is_tried {
-            let helps = |(value, cut): (&Interval, &Interval)| is_vague(value) && cut.radius() < value.radius() / HELP;
-            self.cuts.note(values.iter().zip(&cut).any(helps));
-        }
+        let FromCut::Values(cut) = (if is_tried { self.cut(x, order, true) } else { FromCut::Nothing }) else {
+            return Ok(values);
+        };
+        let helps = |(value, cut): (&Interval, &Interval)| is_vague(value) && cut.radius() < value.radius() / HELP;
+        self.cuts.note(values.iter().zip(&cut).any(helps));
         for (value, cut) in values.iter_mut().zip(cut) {
             *value = value.intersect(&cut).unwrap_or_else(|| Interval::entire(x.ctx()));
         }
         Ok(values)
     }
 
-    /// The integrals over an interval of radii, from a cut below it.
-    fn cut(&self, x: &Interval, order: Order) -> FromCut {
+    /// The integrals over an interval of radii, from a cut below it: in doubles, or in as many bits as a narrow one has.
+    fn cut(&self, x: &Interval, order: Order, has_width: bool) -> FromCut {
         let is_cut = is_moderate(x) && self.work() <= MOST;
         let has_break = || self.formula.breaks().iter().any(|b| b.lower() <= x.upper());
-        match &self.store {
-            Some(store) if is_cut && !has_break() => match store.below(x) {
-                Below::Nothing => FromCut::Nothing,
-                Below::Narrow => FromCut::Unknown,
-                Below::Cut(c) => self.cut_at(store, c, x, order).map_or(FromCut::Nothing, FromCut::Values),
-            },
-            _ => FromCut::Nothing,
+        let Some(store) = self.store.as_ref().filter(|_| is_cut && !has_break()) else { return FromCut::Nothing };
+        match store.below(x) {
+            Below::Nothing => FromCut::Nothing,
+            Below::Narrow => FromCut::Unknown,
+            Below::Cut { depth, .. } if depth < self.cuts.least_depth(has_width) => FromCut::Nothing,
+            Below::Cut { at, .. } => {
+                let bits = if has_width { DOUBLE_BITS } else { Span::of(x).bits };
+                match self.cut_at(store, &at, x, order, bits) {
+                    Some(values) => FromCut::Values(values),
+                    None if has_width => FromCut::Nothing,
+                    None => {
+                        self.cuts.fine_failures.fetch_add(1, Ordering::Relaxed);
+                        FromCut::Nothing
+                    }
+                }
+            }
         }
     }
 
     /// From a cut at c; `None` where it takes too many cells.
-    fn cut_at(&self, store: &Store, c: Float, x: &Interval, order: Order) -> Option<Vec<Interval>> {
-        let CutFormula { height, bend, beyond } = self.formula.cut_at(&Interval::point(c.clone()))?;
-        let within = store.integrals(x, order, &c, &Parabola { height, bend })?;
+    fn cut_at(&self, store: &Store, c: &Float, x: &Interval, order: Order, bits: u32) -> Option<Vec<Interval>> {
+        let in_bits = Interval::point(c.clone()).rounded(Precision::new(bits.max(BOUND_BITS)));
+        self.beside(store, (c, &in_bits), self.formula.cut_at(&in_bits)?, x, order, bits)
+    }
+
+    /// From a formula that is cut at c, given in the precision of places and in that of the formula.
+    fn beside(
+        &self,
+        store: &Store,
+        (c, in_bits): (&Float, &Interval),
+        cut: CutFormula,
+        x: &Interval,
+        order: Order,
+        bits: u32,
+    ) -> Option<Vec<Interval>> {
+        let CutFormula { height, bend, step, beyond } = cut;
+        let within = integrals(store, x, order, c, &Parabola { height, bend }, bits)?;
         let (formula, kept, onsets) = (Arc::new(beyond), Arc::new(Recent::up_to(KEPT)), Arc::default());
-        let beyond = Enclosed { formula, kept, onsets, store: None, ..self.clone() };
-        let beyond = beyond.integrals(x, order).ok()?;
-        let sums: Vec<Interval> =
-            within.iter().zip(beyond).map(|(within, beyond)| widened(within, x) + beyond).collect();
+        let beyond = Enclosed { formula, kept, onsets, store: None, ..self.clone() }.integrals(x, order).ok()?;
+        let all = within.into_iter().zip(beyond).zip(of_step(x, in_bits, &step, order));
+        let sums: Vec<Interval> = all.map(|((within, beyond), step)| within + beyond + step).collect();
         sums.iter().all(Real::is_finite).then_some(sums)
     }
 }
+
+/// The terms of a step \[f\] at c, with T = c²/(x√s), s = x² − c² and q = x²/s: in g and in what it is above its mean \[f\] T, in x g' −\[f\] T q,
+/// in x²g'' 3\[f\] T q².
+fn of_step(x: &Interval, c: &Interval, step: &Interval, order: Order) -> Vec<Interval> {
+    let s = (x.clone() - c) * (x.clone() + c);
+    let share = step.clone() * c.square() / (x.clone() * Real::sqrt(&s));
+    let q = x.square() / s;
+    match order {
+        Order::Value => vec![x.lit(0), share.clone(), share],
+        Order::Slope => vec![-(share * q)],
+        Order::Curvature => vec![-(share.clone() * &q), share * q.square().times(3)],
+    }
+}
+
+#[cfg(test)]
+#[path = "../../../tests/private/cut.rs"]
+mod tests;

@@ -11,6 +11,7 @@
 //! b²N'' = ∫(D³f − D²f) dθ, and the mean of N against a reference L is (2/π)√(1 − b²/L²) ∫ f/(1 − (b/L)² sin²θ) dθ.
 
 mod cut;
+mod inside;
 mod kink;
 pub(crate) mod onset;
 mod ray;
