@@ -38,17 +38,21 @@ const NARROWEST: f64 = 1.0 / (1_u64 << 45) as f64;
 
 /// After so many cuts that did not help they are no longer tried: waves that are everywhere are not better known from cuts.
 const TRIALS: u32 = 64;
-/// At a radius, where a cut in many bits costs as much as rays, it is tried where cells below it are this number of octaves shorter than it,
-const DEEP: i32 = 5;
+/// At a radius a cut in many bits costs as much as rays, and much less once the heights are known: it is made where cells below the radius are
+/// so many octaves shorter than it,
+const DEEP: i32 = 12;
+/// elsewhere after so many integrals along rays at one radius,
+const SEVERAL: u32 = 4;
 /// and no longer after so many have taken too many cells.
 const FINE_TRIALS: u32 = 4;
 
-/// How many cuts have not helped, how many in many bits were not made, and whether one has helped.
+/// How many cuts have not helped, and whether one has; how many integrals were taken at one radius, and how many cuts were not made there.
 #[derive(Debug, Default)]
 pub(super) struct Cuts {
     failures: AtomicU32,
-    fine_failures: AtomicU32,
     come_first: AtomicBool,
+    fine: AtomicU32,
+    fine_failures: AtomicU32,
 }
 
 impl Cuts {
@@ -62,9 +66,10 @@ impl Cuts {
         self.come_first.load(Ordering::Relaxed) || are_fine()
     }
 
-    /// The octaves by which cells below a radius are shorter than it, at least.
+    /// The octaves by which cells below a radius, or an interval, are shorter than it where it is cut, at least.
     fn least_depth(&self, has_width: bool) -> i32 {
-        if has_width || self.come_first.load(Ordering::Relaxed) { 0 } else { DEEP }
+        let is_known = has_width || self.come_first.load(Ordering::Relaxed);
+        if is_known || self.fine.fetch_add(1, Ordering::Relaxed) >= SEVERAL { 0 } else { DEEP }
     }
 
     fn note(&self, has_helped: bool) {
