@@ -111,6 +111,16 @@ fn an_unknown_first_touch_is_undecided() {
     assert_eq!(answer["transform"][0]["status"], "ok", "{answer}");
 }
 
+/// r² grows in the profile and below it: far out neither says anything alone.
+#[test]
+fn a_quotient_that_levels_off_is_known_far_out() {
+    let rest = "output = { want = [\"equilibria\"], equilibria.at = [\"0.001\"], digits = 5 }";
+    for text in ["r^2/(1 + r^2)", "1 - 1/(1 + r^2)"] {
+        let answer = solved(&formula(text, rest));
+        assert_eq!(answer["equilibria"][0]["equilibria"][0]["admissible"], true, "{answer}");
+    }
+}
+
 /// f' + r f'' ≥ 0: every state is admissible, by a proof.
 #[test]
 fn formulas_that_rise_are_admissible() {

@@ -33,7 +33,8 @@ const FACTOR: f64 = 4.552;
 /// });
 /// let remainder = panel.remainder(&Analytic::exp(&panel.ellipse())).expect("bounded");
 /// let integral = sum.inflate(&remainder.widened(Precision::new(100)));
-/// assert!(integral.overlaps(&(integral.lit(1).exp() - integral.lit(1))) && integral.accuracy_bits() > 90);
+/// let truth = Real::exp(&integral.lit(1)) - integral.lit(1);
+/// assert!(integral.overlaps(&truth) && integral.accuracy_bits() > 90);
 /// # Ok::<(), mdr_core::contact::Error>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -170,6 +170,16 @@ impl Continuation {
         sum(values)
     }
 
+    /// f beyond all kinks, over radii that may reach far out.
+    pub(super) fn height_far_out(&self, r: &Interval) -> Option<Interval> {
+        let beyond = self.breaks().len();
+        if self.onsets.is_some() {
+            return self.height(r, beyond);
+        }
+        self.count::<Interval>();
+        sum(self.terms.iter().map(|term| term.part(self.index(term, beyond))?.far_out(r)))
+    }
+
     /// f after so many kinks with its Euler derivatives, over a set of radii that may hold the axis.
     pub(super) fn heights<T: Analytic>(&self, r: &T, order: usize, beyond: usize) -> Option<Euler<T>> {
         if order == 0

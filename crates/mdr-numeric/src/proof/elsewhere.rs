@@ -169,7 +169,7 @@ impl Outside<'_> {
         let end = |octave: f64| if octave > first { Float::with_val(BOUND_BITS, octave).exp2() } else { from.clone() };
         let is_open = |lower: f64, upper: f64| {
             let r = Interval::new(end(lower), end(upper));
-            let height = self.profile.height(&r, self.profile.breaks().len());
+            let height = self.profile.height_far_out(&r);
             let nearest = Interval::point(r.lower().clone());
             self.profile.reaches(&r) && height.is_some_and(|f| *(f - d - reach.clone() / nearest).lower() > 0)
         };

@@ -49,7 +49,12 @@ impl EnclosedFormula {
         let step = f.value().clone() - &height - &of_square;
         let [first, second] = [(1, 2), (2, 4)].map(|(k, times)| f.derivative(k) - of_square.clone().times(times));
         let jumps = vec![c.lit(0), first, second];
-        let nothing = FormulaPart { trees: [(); 2].map(|()| Node::Constant(c.lit(0))), rooted: None, cleared: None };
+        let nothing = FormulaPart {
+            trees: [(); 2].map(|()| Node::Constant(c.lit(0))),
+            rooted: None,
+            cleared: None,
+            far_out: None,
+        };
         let beyond = EnclosedFormula {
             parts: vec![Some(nothing), Some(part.less_parabola(&height, &bend))],
             breaks: vec![c.clone()],
@@ -78,6 +83,7 @@ impl FormulaPart {
             trees: [less(in_few, &height_in_few, &bend_in_few), less(in_all, height, bend)],
             rooted: None,
             cleared: self.cleared.clone(),
+            far_out: None,
         }
     }
 }

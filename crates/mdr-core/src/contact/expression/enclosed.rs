@@ -59,6 +59,8 @@ pub struct FormulaPart {
     pub(super) rooted: Option<(u32, [Node<Interval>; 2])>,
     /// The formula without its divisions by powers of r, if it has any.
     pub(super) cleared: Option<Arc<FormulaPart>>,
+    /// The formula for radii far out, in the precision of bounds, if it is another there.
+    pub(super) far_out: Option<Arc<Node<Interval>>>,
 }
 
 impl Expression {
@@ -95,8 +97,10 @@ impl EnclosedFormula {
                 Some((k, root)) => (trees.clone(), Some((*k, folded(&root.cleared()?)))),
                 None => (folded(&root.cleared()?), None),
             };
-            Some(Arc::new(FormulaPart { trees, rooted, cleared: None }))
+            Some(Arc::new(FormulaPart { trees, rooted, cleared: None, far_out: None }))
         });
+        let far_out = at_axis.as_ref().map(|(root, _)| root.far_out()).filter(|far_out| far_out != root);
+        let far_out = far_out.map(|root| Arc::new(root.bound(Precision::new(BOUND_BITS)).folded()));
         let rooted = at_axis.and_then(|(_, in_root)| in_root).map(|(k, root)| (k, folded(&root)));
         let part = |radius: &Option<Interval>| {
             let [low, high] = trees.each_ref().map(|own| own.resolved(&tree, radius.as_ref()?));
@@ -104,6 +108,7 @@ impl EnclosedFormula {
                 trees: [low?.folded(), high?.folded()],
                 rooted: rooted.clone(),
                 cleared: cleared.clone(),
+                far_out: far_out.clone(),
             })
         };
         let parts = samples.iter().map(part).collect();
@@ -184,6 +189,27 @@ impl FormulaPart {
     pub fn at<T: Analytic>(&self, r: &T) -> Option<T> {
         let tree = if r.bits() <= BOUND_BITS { &self.trees[0] } else { &self.trees[1] };
         tree.analytic(r)
+    }
+
+    /// f over an interval of radii that may reach far out, where quotients of sums of powers are taken over the highest power of their divisor.
+    ///
+    /// ```
+    /// use mdr_core::contact::Expression;
+    /// use mdr_core::number::{Interval, Precision, Real};
+    /// let (formula, none): (Expression, _) = ("r^2/(1 + r^2)".parse()?, Default::default());
+    /// let precision = Precision::new(64);
+    /// let enclosed = formula.enclosed(&none, &formula.breaks(&none)?, precision)?;
+    /// let part = enclosed.part(0).expect("smooth");
+    /// let far = Interval::from_int(precision, 10).hull(&Interval::from_f64(precision, 1e100));
+    /// assert!(part.at(&far).is_none_or(|f| f.lower().to_f64() < 1e-100));
+    /// assert!(part.far_out(&far).is_some_and(|f| f.lower().to_f64() > 0.99 && f.upper().to_f64() < 1.01));
+    /// # Ok::<(), mdr_core::contact::ExpressionError>(())
+    /// ```
+    pub fn far_out(&self, r: &Interval) -> Option<Interval> {
+        match (self.at(r), self.far_out.as_ref().and_then(|far_out| far_out.analytic(r))) {
+            (Some(one), Some(other)) => one.intersect(&other),
+            (one, other) => one.or(other),
+        }
     }
 
     /// k, if the formula is analytic at the axis as a function of r^(1/k) and not of r: see [`FormulaPart::at_root`].

@@ -48,6 +48,7 @@ impl LocalPolynomial {
             trees: [BOUND_BITS, bits].map(|bits| self.tree(Precision::new(bits))),
             rooted: None,
             cleared: None,
+            far_out: None,
         }
     }
 

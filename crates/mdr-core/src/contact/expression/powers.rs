@@ -60,9 +60,26 @@ impl Node<Constant> {
         if !terms.iter().filter_map(|term| term.powers()).any(is_beyond) {
             return None;
         }
-        let mut terms = whole.iter().map(|(n, c)| times_power(fraction(c)?, &Rational::from(n - least)));
-        let first = terms.next()??;
-        terms.try_fold(first, |sum, term| Some(Node::Operation(Operator::Add, Box::new(sum), Box::new(term?))))
+        over_power(whole, least)
+    }
+
+    /// The formula with quotients of sums of powers over the highest power of their divisors, as 1/(1/r² + 1) is r²/(1 + r²): there r does not
+    /// grow in two places far out.
+    pub(super) fn far_out(&self) -> Node<Constant> {
+        let over_highest = |a: &Node<Constant>, b: &Node<Constant>| {
+            let (a, b) = (a.powers()?, b.powers().filter(|b| b.len() > 1)?);
+            let highest = b.last_key_value()?.0;
+            Some(Node::Operation(
+                Operator::Divide,
+                Box::new(over_power(&a, highest)?),
+                Box::new(over_power(&b, highest)?),
+            ))
+        };
+        match self {
+            Node::Operation(Operator::Divide, a, b) => over_highest(a, b),
+            _ => None,
+        }
+        .unwrap_or_else(|| self.with_inner(Node::far_out))
     }
 
     /// What is added and subtracted.
@@ -102,6 +119,13 @@ impl Node<Constant> {
             |number: &Rational| number.numer().significant_bits() + number.denom().significant_bits() <= BITS;
         (sum.len() <= TERMS && sum.iter().all(|(n, c)| is_short(n) && is_short(c))).then_some(sum)
     }
+}
+
+/// A sum of powers over a power of r.
+fn over_power(sum: &Sum, exponent: &Rational) -> Option<Node<Constant>> {
+    let mut terms = sum.iter().map(|(n, c)| times_power(fraction(c)?, &Rational::from(n - exponent)));
+    let first = terms.next()??;
+    terms.try_fold(first, |sum, term| Some(Node::Operation(Operator::Add, Box::new(sum), Box::new(term?))))
 }
 
 /// A factor times rⁿ.
