@@ -22,6 +22,7 @@ pub(super) const DEEPEST: i32 = 62;
 /// Where the remainder of the rule for f alone is at most so many times that of a half, 4 for a line and e^(2(L/s)²/3) times as much for a dip
 /// of width s, nothing on a cell of length L is narrow.
 const SMOOTH: f64 = 64.0;
+
 /// The cells of one formula, before its first break.
 pub(super) struct Store {
     part: FormulaPart,
