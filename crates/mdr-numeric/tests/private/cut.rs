@@ -17,7 +17,7 @@ fn from_cuts(transform: &Enclosed, x: &Interval, order: Order) -> Option<[Vec<In
     let c = Interval::point(at.clone()).rounded(x.ctx());
     let [height, bend] = [-0.02, 0.6].map(|number| Interval::from_f64(x.ctx(), number));
     let other = transform.formula.cut_along(&c, height, bend)?;
-    let beside = transform.beside(store, (&at, &c), other, x, order, x.precision())?;
+    let beside = transform.beside(store, &c, other, x, order, x.precision())?;
     Some([transform.cut_at(store, &at, x, order, x.precision())?, beside])
 }
 

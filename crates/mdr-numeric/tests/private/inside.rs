@@ -1,24 +1,9 @@
 //! Integrals from kept heights hold what finer ones hold, however coarse the aim is: there the remainders count.
 
-use std::sync::Arc;
-
 use mdr_core::calculus::enclose::{Goal, Integrand, enclose};
-use mdr_core::contact::Expression;
 
+use super::super::store::tests::{number, store};
 use super::*;
-
-/// As many bits as a test asks for.
-const MANY: u32 = 200;
-
-fn number(text: &str) -> Interval {
-    Interval::from_literal(Precision::new(MANY), &text.parse().unwrap())
-}
-
-fn store(formula: &str) -> Store {
-    let (formula, none): (Expression, _) = (formula.parse().unwrap(), Default::default());
-    let enclosed = formula.enclosed(&none, &formula.breaks(&none).unwrap(), Precision::new(MANY)).unwrap();
-    Store::new(enclosed.part(0).unwrap().clone(), Arc::default())
-}
 
 fn parabola() -> Parabola {
     Parabola { height: number("0.3"), bend: number("0.7") }

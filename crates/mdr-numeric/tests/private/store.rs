@@ -5,13 +5,16 @@ use mdr_core::number::{Precision, Real};
 
 use super::*;
 
-fn number(text: &str) -> Interval {
-    Interval::from_literal(Precision::new(BOUND_BITS), &text.parse().unwrap())
+/// As many bits as a test asks for.
+const MANY: u32 = 200;
+
+pub(in crate::transform::enclosed) fn number(text: &str) -> Interval {
+    Interval::from_literal(Precision::new(MANY), &text.parse().unwrap())
 }
 
-fn store(formula: &str) -> Store {
+pub(in crate::transform::enclosed) fn store(formula: &str) -> Store {
     let (formula, none): (Expression, _) = (formula.parse().unwrap(), Default::default());
-    let enclosed = formula.enclosed(&none, &formula.breaks(&none).unwrap(), Precision::new(BOUND_BITS)).unwrap();
+    let enclosed = formula.enclosed(&none, &formula.breaks(&none).unwrap(), Precision::new(MANY)).unwrap();
     Store::new(enclosed.part(0).unwrap().clone(), Arc::default())
 }
 

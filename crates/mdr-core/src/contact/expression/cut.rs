@@ -24,7 +24,7 @@ impl EnclosedFormula {
         let f = self.part(0)?.at(&Euler::variable(c, 2))?;
         let bend = f.derivative(1) / c.square().times(2);
         let height = f.value().clone() - f.derivative(1).over(2);
-        self.cut_along(c, height.midpoint(), bend.midpoint())
+        self.cut_with(c, &f, height.midpoint(), bend.midpoint())
     }
 
     /// The formula cut at c with any parabola: with a step there, and one of its slope.
@@ -43,8 +43,12 @@ impl EnclosedFormula {
     /// # Ok::<(), mdr_core::contact::ExpressionError>(())
     /// ```
     pub fn cut_along(&self, c: &Interval, height: Interval, bend: Interval) -> Option<CutFormula> {
+        self.cut_with(c, &self.part(0)?.at(&Euler::variable(c, 2))?, height, bend)
+    }
+
+    /// From the derivatives of the formula at c.
+    fn cut_with(&self, c: &Interval, f: &Euler<Interval>, height: Interval, bend: Interval) -> Option<CutFormula> {
         let part = self.part(0)?;
-        let f = part.at(&Euler::variable(c, 2))?;
         let of_square = c.square() * &bend;
         let step = f.value().clone() - &height - &of_square;
         let [first, second] = [(1, 2), (2, 4)].map(|(k, times)| f.derivative(k) - of_square.clone().times(times));

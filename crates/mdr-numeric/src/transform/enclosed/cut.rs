@@ -66,10 +66,10 @@ impl Cuts {
         self.come_first.load(Ordering::Relaxed) || are_fine()
     }
 
-    /// The octaves by which cells below a radius, or an interval, are shorter than it where it is cut, at least.
-    fn least_depth(&self, has_width: bool) -> i32 {
+    /// Whether a cut is made where cells are so many octaves shorter than the radius, or the interval; at one radius the question is counted.
+    fn is_made(&self, depth: i32, has_width: bool) -> bool {
         let is_known = has_width || self.come_first.load(Ordering::Relaxed);
-        if is_known || self.fine.fetch_add(1, Ordering::Relaxed) >= SEVERAL { 0 } else { DEEP }
+        is_known || self.fine.fetch_add(1, Ordering::Relaxed) >= SEVERAL || depth >= DEEP
     }
 
     fn note(&self, has_helped: bool) {
@@ -126,42 +126,39 @@ impl Enclosed {
         match store.below(x) {
             Below::Nothing => FromCut::Nothing,
             Below::Narrow => FromCut::Unknown,
-            Below::Cut { depth, .. } if depth < self.cuts.least_depth(has_width) => FromCut::Nothing,
+            Below::Cut { depth, .. } if !self.cuts.is_made(depth, has_width) => FromCut::Nothing,
             Below::Cut { at, .. } => {
                 let bits = if has_width { DOUBLE_BITS } else { Span::of(x).bits };
-                match self.cut_at(store, &at, x, order, bits) {
-                    Some(values) => FromCut::Values(values),
-                    None if has_width => FromCut::Nothing,
-                    None => {
-                        self.cuts.fine_failures.fetch_add(1, Ordering::Relaxed);
-                        FromCut::Nothing
-                    }
+                let values = self.cut_at(store, &at, x, order, bits);
+                if values.is_none() && !has_width {
+                    self.cuts.fine_failures.fetch_add(1, Ordering::Relaxed);
                 }
+                values.map_or(FromCut::Nothing, FromCut::Values)
             }
         }
     }
 
     /// From a cut at c; `None` where it takes too many cells.
     fn cut_at(&self, store: &Store, c: &Float, x: &Interval, order: Order, bits: u32) -> Option<Vec<Interval>> {
-        let in_bits = Interval::point(c.clone()).rounded(Precision::new(bits.max(BOUND_BITS)));
-        self.beside(store, (c, &in_bits), self.formula.cut_at(&in_bits)?, x, order, bits)
+        let c = Interval::point(c.clone()).rounded(Precision::new(bits.max(BOUND_BITS)));
+        self.beside(store, &c, self.formula.cut_at(&c)?, x, order, bits)
     }
 
-    /// From a formula that is cut at c, given in the precision of places and in that of the formula.
+    /// From a formula that is cut at c, a number.
     fn beside(
         &self,
         store: &Store,
-        (c, in_bits): (&Float, &Interval),
+        c: &Interval,
         cut: CutFormula,
         x: &Interval,
         order: Order,
         bits: u32,
     ) -> Option<Vec<Interval>> {
         let CutFormula { height, bend, step, beyond } = cut;
-        let within = integrals(store, x, order, c, &Parabola { height, bend }, bits)?;
+        let within = integrals(store, x, order, c.lower(), &Parabola { height, bend }, bits)?;
         let (formula, kept, onsets) = (Arc::new(beyond), Arc::new(Recent::up_to(KEPT)), Arc::default());
         let beyond = Enclosed { formula, kept, onsets, store: None, ..self.clone() }.integrals(x, order).ok()?;
-        let all = within.into_iter().zip(beyond).zip(of_step(x, in_bits, &step, order));
+        let all = within.into_iter().zip(beyond).zip(of_step(x, c, &step, order));
         let sums: Vec<Interval> = all.map(|((within, beyond), step)| within + beyond + step).collect();
         sums.iter().all(Real::is_finite).then_some(sums)
     }

@@ -4,12 +4,13 @@
 //! Cells are halved until they are as far from x as they are long, and until the remainder of their rule is small.
 
 use mdr_core::calculus::enclose::{BOUND_BITS, DOUBLE_BITS};
+use mdr_core::calculus::panel::LegendrePanel;
 use mdr_core::number::{Analytic, DoubleInterval, Ends, Interval, Precision, Real};
 use rug::Float;
 
 use super::Order;
 use super::span::relative_width;
-use super::store::{Cell, DEEPEST, Place, Rule, Store};
+use super::store::{Cell, DEEPEST, Place, Rule, Store, panel};
 
 /// Cells that an integral may look at in doubles,
 const MOST: usize = 600;
@@ -130,8 +131,8 @@ impl<'a, I: Ends> Inside<'a, I> {
         let apart = Float::with_val(BOUND_BITS, self.kernel.x.lower() - &upper);
         if upper <= *self.c && apart >= Float::with_val(BOUND_BITS, &upper - &lower) {
             let cell = self.store.cell(place)?;
-            let rule = self.store.rule(place, self.x.precision())?;
-            if let Some(shares) = self.by_rule(&cell, &rule).or_else(|| self.by_range(&cell, &rule)) {
+            let panel = panel(place, self.x.precision())?;
+            if let Some(shares) = self.by_rule(place, &cell, &panel).or_else(|| self.by_range(&cell, &panel)) {
                 self.sums.iter_mut().zip(shares).for_each(|(sum, share)| *sum += &share);
                 return Some(());
             }
@@ -141,18 +142,18 @@ impl<'a, I: Ends> Inside<'a, I> {
     }
 
     /// By the rule of the cell, where its remainder is small.
-    fn by_rule(&self, cell: &Cell, rule: &Rule) -> Option<Vec<I>> {
-        let image = cell.image.as_ref().filter(|_| !rule.nodes.is_empty())?;
-        let r = rule.panel.ellipse();
+    fn by_rule(&self, place: Place, cell: &Cell, panel: &LegendrePanel) -> Option<Vec<I>> {
+        let image = cell.image.as_ref()?;
+        let r = panel.ellipse();
         let images = self.kernel.times(&image.minus(&self.parabola.at(&r)), &r)?;
-        let remainders = images.iter().map(|image| rule.panel.remainder(image)).collect::<Option<Vec<_>>>()?;
+        let remainders = images.iter().map(|image| panel.remainder(image)).collect::<Option<Vec<_>>>()?;
         let within = |shares: &[I]| {
             let all = remainders.iter().zip(shares).zip(&self.sums);
             all.into_iter().all(|((remainder, share), sum)| {
                 remainder.upper() <= self.allowed(sum).max(self.allowed(share)).max(radius(share))
             })
         };
-        let shares = self.shares(rule)?;
+        let shares = self.shares(&*self.store.rule(place, panel, self.x.precision())?)?;
         within(&shares).then(|| {
             let with_remainder =
                 |(share, remainder): (I, &DoubleInterval)| share.inflate(&I::around(self.x.ctx(), &wide(remainder)));
@@ -162,10 +163,10 @@ impl<'a, I: Ends> Inside<'a, I> {
 
     /// The sums of a rule.
     fn shares(&self, rule: &Rule) -> Option<Vec<I>> {
-        self.store.count(rule.nodes.len() as u64 * <I as Ends>::WORK.div_ceil(4));
+        self.store.count(rule.len() as u64 * <I as Ends>::WORK.div_ceil(4));
         let ctx = self.x.ctx();
         let mut shares = vec![self.x.lit(0); self.sums.len()];
-        for (node, height) in &rule.nodes {
+        for (node, height) in rule {
             let above = height.minus(&self.parabola.at(&node.place));
             let [above, r, weight] = [&above, &node.place, &node.weight].map(|value| I::around(ctx, value));
             let values = self.kernel.at(&above, &r, &self.x)?;
@@ -175,11 +176,11 @@ impl<'a, I: Ends> Inside<'a, I> {
     }
 
     /// By ranges on all of a cell on which f is not shown to be analytic, where that is enough.
-    fn by_range(&self, cell: &Cell, rule: &Rule) -> Option<Vec<I>> {
+    fn by_range(&self, cell: &Cell, panel: &LegendrePanel) -> Option<Vec<I>> {
         if cell.image.is_some() {
             return None;
         }
-        let r = rule.panel.range();
+        let r = panel.range();
         let length = DoubleInterval::point(r.upper()) - DoubleInterval::point(r.lower());
         let height = self.store.height(&r)?.minus(&self.parabola.at(&r));
         let ranges = self.kernel.at(&height, &r, &self.in_doubles)?;

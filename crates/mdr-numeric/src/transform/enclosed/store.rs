@@ -46,12 +46,8 @@ pub(super) struct Cell {
     is_smooth: bool,
 }
 
-/// The rule of a cell.
-pub(super) struct Rule {
-    pub(super) panel: LegendrePanel,
-    /// Each node with its height; an empty list where f is not known at all nodes.
-    pub(super) nodes: Vec<(LegendreNode, Interval)>,
-}
+/// Each node of the rule of a cell with its height.
+pub(super) type Rule = Vec<(LegendreNode, Interval)>;
 
 /// What is narrow below an interval of radii.
 pub(super) enum Below {
@@ -94,15 +90,14 @@ impl Store {
         })
     }
 
-    pub(super) fn rule(&self, place: Place, bits: u32) -> Option<Arc<Rule>> {
+    /// `None` where f is not known at all nodes.
+    pub(super) fn rule(&self, place: Place, panel: &LegendrePanel, bits: u32) -> Option<Arc<Rule>> {
         kept(&self.rules, (place, bits), || {
-            let panel = panel(place, bits)?;
             let with_height = |node: LegendreNode| {
                 let height = self.height(&node.place)?;
                 height.is_bounded().then_some((node, height))
             };
-            let nodes = panel.nodes().ok()?.into_iter().map(with_height).collect::<Option<_>>().unwrap_or_default();
-            Some(Rule { panel, nodes })
+            panel.nodes().ok()?.into_iter().map(with_height).collect()
         })
     }
 
@@ -159,7 +154,7 @@ impl Store {
 }
 
 /// The piece of a place, with a rule for so many bits.
-fn panel(place: Place, bits: u32) -> Option<LegendrePanel> {
+pub(super) fn panel(place: Place, bits: u32) -> Option<LegendrePanel> {
     let [lower, upper] = place.ends();
     LegendrePanel::new(&lower, &upper, bits)
 }
@@ -181,4 +176,4 @@ fn kept<K: Eq + Hash, V>(all: &Mutex<HashMap<K, Arc<V>>>, key: K, new: impl FnOn
 
 #[cfg(test)]
 #[path = "../../../tests/private/store.rs"]
-mod tests;
+pub(super) mod tests;
