@@ -26,22 +26,43 @@ use crate::number::{Interval, Real};
 /// Whatever f and its slope return.
 pub fn verify(
     candidate: &Float,
+    f: impl FnMut(&Interval) -> Result<Interval>,
+    mut slope: impl FnMut(&Interval) -> Result<Interval>,
+) -> Result<Option<Interval>> {
+    let at_candidate = slope(&Interval::point(candidate.clone()))?;
+    verify_with(candidate, &at_candidate, f, slope)
+}
+
+/// [`verify`] with a slope of f near the candidate, of which nothing needs to be certain: only the radii that are tried depend on it.
+///
+/// # Errors
+/// Whatever f and its slope return.
+pub fn verify_with(
+    candidate: &Float,
+    near: &Interval,
     mut f: impl FnMut(&Interval) -> Result<Interval>,
     mut slope: impl FnMut(&Interval) -> Result<Interval>,
 ) -> Result<Option<Interval>> {
-    let mut newton = |x: &Interval| -> Result<Interval> {
-        let middle = x.midpoint();
-        Ok(middle.clone() - f(&middle)? / slope(x)?)
-    };
     let point = Interval::point(candidate.clone());
-    let step = newton(&point)? - &point;
+    let value = f(&point)?;
+    let step = value.clone() / near;
     let rounding = point.unit_roundoff().times(4) * point.abs();
     let radius = (Interval::abs(&step) + rounding).times(2);
     for growth in [1, 2, 4, 16, 256] {
         let bound = radius.clone().times(growth);
         let around = point.clone().inflate(&bound);
-        let image = newton(&around)?;
+        let over_cell = slope(&around)?;
+        // The image is no narrower than the enclosure of f makes it.
+        let narrowest = value.radius() / Real::abs(&over_cell).upper().clone();
+        let image = point.clone() - value.clone() / over_cell;
         if around.lower() < image.lower() && image.upper() < around.upper() {
+            if image.radius() <= narrowest * 2u32 {
+                return Ok(Some(image));
+            }
+            let newton = |x: &Interval| -> Result<Interval> {
+                let middle = x.midpoint();
+                Ok(middle.clone() - f(&middle)? / slope(x)?)
+            };
             return tighten(image, newton).map(Some);
         }
     }

@@ -71,6 +71,17 @@ impl<N> Control<N> {
             Control::Machine { stiffness } => Control::Machine { stiffness: f(stiffness)? },
         })
     }
+
+    /// The same control with its stiffness in another form.
+    ///
+    /// ```
+    /// use mdr_core::contact::Control;
+    /// assert_eq!(Control::Machine { stiffness: 2 }.map(|k| f64::from(*k)), Control::Machine { stiffness: 2.0 });
+    /// ```
+    pub fn map<M>(&self, f: impl FnOnce(&N) -> M) -> Control<M> {
+        let Ok(control) = self.try_map(|stiffness| Ok::<M, std::convert::Infallible>(f(stiffness)));
+        control
+    }
 }
 
 impl<R: Real> Control<R> {

@@ -99,21 +99,30 @@ impl<R: Real> Inv for Dual<R> {
 impl<R: Real> AddAssign<&Self> for Dual<R> {
     fn add_assign(&mut self, other: &Self) {
         self.value += &other.value;
-        self.slope += &other.slope;
+        if !other.slope.vanishes() {
+            self.slope += &other.slope;
+        }
     }
 }
 
 impl<R: Real> SubAssign<&Self> for Dual<R> {
     fn sub_assign(&mut self, other: &Self) {
         self.value -= &other.value;
-        self.slope -= &other.slope;
+        if !other.slope.vanishes() {
+            self.slope -= &other.slope;
+        }
     }
 }
 
 impl<R: Real> MulAssign<&Self> for Dual<R> {
+    /// A constant factor scales the slope, and two constants have none: fewer products, and none of zero with what is out of range.
     fn mul_assign(&mut self, other: &Self) {
-        self.slope *= &other.value;
-        self.slope += &(self.value.clone() * &other.slope);
+        if !self.slope.vanishes() {
+            self.slope *= &other.value;
+        }
+        if !other.slope.vanishes() {
+            self.slope += &(self.value.clone() * &other.slope);
+        }
         self.value *= &other.value;
     }
 }
@@ -121,8 +130,12 @@ impl<R: Real> MulAssign<&Self> for Dual<R> {
 impl<R: Real> DivAssign<&Self> for Dual<R> {
     fn div_assign(&mut self, other: &Self) {
         self.value /= &other.value;
-        self.slope -= &(self.value.clone() * &other.slope);
-        self.slope /= &other.value;
+        if !other.slope.vanishes() {
+            self.slope -= &(self.value.clone() * &other.slope);
+        }
+        if !self.slope.vanishes() {
+            self.slope /= &other.value;
+        }
     }
 }
 
@@ -142,6 +155,9 @@ impl<R: Real> Real for Dual<R> {
     }
     fn from_literal(ctx: R::Ctx, literal: &Literal) -> Self {
         Dual::constant(R::from_literal(ctx, literal))
+    }
+    fn vanishes(&self) -> bool {
+        self.value.vanishes() && self.slope.vanishes()
     }
     fn pi(&self) -> Self {
         Dual::constant(self.value.pi())

@@ -52,6 +52,9 @@ impl Real for Float {
     fn from_int(ctx: Precision, value: i64) -> Float {
         Float::with_val(ctx.0, value)
     }
+    fn is_integer(&self, value: i64) -> bool {
+        *self == value
+    }
     fn from_f64(ctx: Precision, value: f64) -> Float {
         Float::with_val(ctx.0, value)
     }

@@ -75,6 +75,11 @@ pub trait Real:
         *self == self.lit(value)
     }
 
+    /// Whether it is certainly zero; a dual number, with a slope that is.
+    fn vanishes(&self) -> bool {
+        self.is_integer(0)
+    }
+
     /// The fraction `numerator/denominator` in the precision of `self`.
     fn ratio(&self, numerator: i64, denominator: i64) -> Self {
         self.lit(numerator).over(denominator)

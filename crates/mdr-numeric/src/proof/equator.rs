@@ -6,6 +6,7 @@ use mdr_core::contact::{Equilibrium, Result, Stability};
 use mdr_core::number::{Interval, Real};
 use rug::Float;
 
+use super::condition::sign;
 use super::{EnclosedCurve, ProvedBranches, kinks};
 
 /// The relative distance 2^−k from an equator within which folds are not searched.
@@ -39,7 +40,7 @@ impl EnclosedCurve {
         let transform = self.plain.transform();
         let around = equator.clone().inflate(&(margin.clone() * equator));
         let end = transform.kink(transform.kinks().len(), margin)?;
-        Ok(end.is_some_and(|end| self.sign(&around, &end.inside) == Some(Ordering::Greater)))
+        Ok(end.is_some_and(|end| sign(&self.plain, &around, &end.inside) == Some(Ordering::Greater)))
     }
 }
 

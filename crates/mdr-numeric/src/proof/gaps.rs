@@ -6,12 +6,12 @@ use mdr_core::contact::{Budget, Result};
 use mdr_core::number::Interval;
 use rug::Float;
 
-use super::EnclosedCurve;
 use super::continuation::Continuation;
 use super::elsewhere::{HEIGHTS, Seen};
 use super::floor::Floor;
 use super::overlap::{Outside, Place};
-use super::staircase::{Staircases, State, TERMS_OF_HEIGHT};
+use super::staircase::{Bounded, Staircases, State, TERMS_OF_HEIGHT};
+use super::{CurveInDoubles, EnclosedCurve};
 use crate::admissible::GapVerdict;
 use crate::contact::Contact;
 use crate::recent::Recent;
@@ -70,10 +70,13 @@ impl EnclosedGaps {
     }
 
     /// The gaps from bounds of g on cells, without integrals over f: for a profile of many pieces whose g is quick, as a table. A gap
-    /// that is all but closed is then left undecided.
+    /// that is all but closed is then left undecided. Bounds are those of the contact in doubles, where it is given.
     #[must_use]
-    pub fn by_staircases(self) -> Self {
-        EnclosedGaps { staircases: Some(Staircases::new()), ..self }
+    pub fn by_staircases(self, in_doubles: Option<&CurveInDoubles>) -> Self {
+        let in_bits = || Bounded::InBits(Arc::clone(self.contact.shared_transform()));
+        let bounded =
+            in_doubles.map_or_else(in_bits, |curve| Bounded::InDoubles(Arc::clone(curve.plain().shared_transform())));
+        EnclosedGaps { staircases: Some(Staircases::new(bounded)), ..self }
     }
 
     /// The gaps, with the folds of this contact at fixed grips on a range of radii, which are looked for where integrals over f take long:
@@ -121,7 +124,7 @@ impl EnclosedGaps {
         if self.heights() == 0 {
             return GapVerdict::Undecided(NOT_DECIDED);
         }
-        let (are_open, terms) = staircases.are_open(self.contact.transform(), State::of(place));
+        let (are_open, terms) = staircases.are_open(State::of(place));
         if let Some((budget, weight)) = &self.budget {
             budget.spend(weight.saturating_mul(terms / TERMS_OF_HEIGHT));
         }
@@ -159,7 +162,7 @@ impl EnclosedGaps {
     /// The gap at a radius, if it is proved that it is negative.
     pub fn overlap(&self, a: &Interval, d: &Interval, r: f64) -> Option<f64> {
         let place = Place { a: a.clone(), d: d.clone() }.rough();
-        let by_bounds = |staircases: &Staircases| staircases.overlap(self.contact.transform(), State::of(&place), r);
+        let by_bounds = |staircases: &Staircases| staircases.overlap(State::of(&place), r);
         if let Some(gap) = self.staircases.as_ref().and_then(by_bounds) {
             return Some(gap);
         }

@@ -2,11 +2,12 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Fold, FoldKind, Kink, Result, Slopes, Transform};
-use mdr_core::number::{Interval, Real};
+use mdr_core::contact::{Fold, FoldKind, Kink, Result, Transform};
+use mdr_core::number::{Ends, Interval, Real};
 use rug::Float;
 use rug::float::Special;
 
+use super::condition::{sign, within_range};
 use super::{EnclosedCurve, ProvedCell, ProvedFolds, Trend};
 use crate::contact::Contact;
 
@@ -23,23 +24,31 @@ pub(super) struct Gap {
     known: Option<Known>,
 }
 
+/// What is known beside the kink with an index, to a relative distance on both sides.
 struct Known {
-    kink: Kink<Interval>,
+    index: usize,
+    margin: u32,
     /// The sign of the condition below and above; above is `None` at a vertical edge.
     signs: (Ordering, Option<Ordering>),
+}
+
+/// The kinks, followed by the vertical edge, and the index of that.
+struct Radii {
+    kinks: Vec<Interval>,
+    edge: usize,
 }
 
 impl EnclosedCurve {
     /// The intervals around all kinks in (lower, upper), and around the vertical edge if it is there.
     pub(super) fn gaps(&self, lower: &Float, upper: &Float) -> Result<Vec<Gap>> {
-        let kinks = self.radii();
+        let Radii { kinks, edge } = self.radii();
         let mut gaps: Vec<Gap> = Vec::new();
         for (index, kink) in kinks.iter().enumerate() {
             let repeated = gaps.last().is_some_and(|gap| gap.radius == *kink);
             let from = gaps.last().map_or(lower, |gap| &gap.after);
             let next = kinks[index + 1..].iter().find(|next| *next != kink).map(Interval::lower);
             let to = next.filter(|next| *next < upper).unwrap_or(upper);
-            if !repeated && let Some(gap) = self.neighbourhood(index, kink, from, to)? {
+            if !repeated && let Some(gap) = self.neighbourhood((index, edge), kink, from, to)? {
                 gaps.push(gap);
             }
         }
@@ -62,30 +71,32 @@ impl EnclosedCurve {
         (from, to)
     }
 
-    /// The kinks, followed by the vertical edge.
-    fn radii(&self) -> Vec<Interval> {
-        let mut radii = self.plain.transform().kinks();
-        radii.extend(self.plain.vertical_edge());
-        radii
-    }
-
-    fn is_vertical_edge(&self, index: usize) -> bool {
-        index == self.plain.transform().kinks().len()
+    fn radii(&self) -> Radii {
+        let mut kinks = self.plain.transform().kinks();
+        let edge = kinks.len();
+        kinks.extend(self.plain.vertical_edge());
+        Radii { kinks, edge }
     }
 
     /// The widest neighbourhood within (from, to) on which both signs are certain, or else the narrowest. `None` if the
     /// kink itself is not there.
-    fn neighbourhood(&self, index: usize, kink: &Interval, from: &Float, to: &Float) -> Result<Option<Gap>> {
+    fn neighbourhood(
+        &self,
+        (index, edge): (usize, usize),
+        kink: &Interval,
+        from: &Float,
+        to: &Float,
+    ) -> Result<Option<Gap>> {
         let mut narrowest = None;
+        let is_edge = index == edge;
         for margin in MARGINS {
             let before = shifted(kink.lower(), -1, margin);
-            let after =
-                if self.is_vertical_edge(index) { kink.upper().clone() } else { shifted(kink.upper(), 1, margin) };
-            let reached = if self.is_vertical_edge(index) { before < *to } else { after < *to };
+            let after = if is_edge { kink.upper().clone() } else { shifted(kink.upper(), 1, margin) };
+            let reached = if is_edge { before < *to } else { after < *to };
             if !(before > *from && reached) {
                 continue;
             }
-            let known = self.known(index, kink, margin)?;
+            let known = self.known((index, edge), kink, margin)?;
             let decided = known.is_some();
             narrowest = Some(Gap { before, after, radius: kink.clone(), known });
             if decided {
@@ -95,19 +106,33 @@ impl EnclosedCurve {
         Ok(narrowest)
     }
 
-    /// The signs of the condition on both sides of a kink, if they are certain.
-    fn known(&self, index: usize, radius: &Interval, margin: u32) -> Result<Option<Known>> {
-        let margin = radius.lit(2).powi(-i64::from(margin));
-        let Some(kink) = self.plain.transform().kink(index, &margin)? else { return Ok(None) };
-        let around = radius.clone().inflate(&(margin * radius));
-        let below = self.sign(&around, &kink.inside);
-        let above = self.sign(&around, &kink.outside).or_else(|| self.rises_beyond_flat(&kink));
-        let signs = match (below, above) {
-            (Some(below), _) if self.is_vertical_edge(index) => (below, None),
-            (Some(below), Some(above)) => (below, Some(above)),
-            _ => return Ok(None),
+    /// What is known beside a kink, if the signs of the condition on both sides of it are certain: in doubles, if they tell enough.
+    fn known(&self, (index, edge): (usize, usize), radius: &Interval, margin: u32) -> Result<Option<Known>> {
+        let around = radius.clone().inflate(&(share(radius, margin) * radius));
+        let decided = |below: Option<Ordering>, above: Option<Ordering>| match (below?, above) {
+            (below, _) if index == edge => Some((below, None)),
+            (below, above) => Some((below, Some(above?))),
         };
-        Ok(Some(Known { kink, signs }))
+        if let Some(doubles) = &self.in_doubles
+            && let Some(kink) =
+                within_range(doubles.plain().transform().kink(index, &share(doubles.plain().modulus(), margin)))?
+            && let Some(signs) = decided(doubles.sign(&around, &kink.inside), doubles.sign(&around, &kink.outside))
+        {
+            return Ok(Some(Known { index, margin, signs }));
+        }
+        let Some(kink) = self.kink(index, margin)? else { return Ok(None) };
+        let below = sign(&self.plain, &around, &kink.inside);
+        let above = sign(&self.plain, &around, &kink.outside).or_else(|| self.rises_beyond_flat(&kink));
+        Ok(decided(below, above).map(|signs| Known { index, margin, signs }))
+    }
+
+    fn kink(&self, index: usize, margin: u32) -> Result<Option<Kink<Interval>>> {
+        self.plain.transform().kink(index, &share(self.plain.modulus(), margin))
+    }
+
+    /// g and its mean at a kink beside which something is known.
+    fn value_at(&self, known: &Known) -> Result<Option<(Interval, Interval)>> {
+        Ok(self.kink(known.index, known.margin)?.and_then(|kink| kink.value))
     }
 
     /// Where folds are at g' = 0, contact is held beyond the end of a flat wherever g does not fall, also where g' begins with 0.
@@ -115,20 +140,6 @@ impl EnclosedCurve {
         let flat = kink.inside.greatest.as_ref().is_some_and(|greatest| *greatest == greatest.lit(0));
         let rises = flat && self.folds_where_level() && self.plain.transform().rises();
         rises.then_some(Ordering::Greater)
-    }
-
-    /// The sign of the condition at all radii of a cell, from bounds of g'.
-    pub(super) fn sign(&self, cell: &Interval, slopes: &Slopes<Interval>) -> Option<Ordering> {
-        let threshold = self.plain.critical_ratio_at(cell);
-        let ratio = |slope: &Interval| self.plain.tangency_of(slope.clone(), cell);
-        let holding = |greatest: &Interval| self.holding(ratio(greatest));
-        if slopes.greatest.as_ref().is_some_and(|greatest| holding(greatest) < threshold) {
-            Some(Ordering::Less)
-        } else if slopes.least.as_ref().is_some_and(|least| ratio(least) > threshold) {
-            Some(Ordering::Greater)
-        } else {
-            None
-        }
     }
 
     /// Records the result for an interval: a fold at the kink, a pole, nothing, or an undecided part.
@@ -139,8 +150,8 @@ impl EnclosedCurve {
         };
         found.cells.push(known.cell(&gap.before, &gap.after));
         let Some(kind) = known.fold() else { return Ok(()) };
-        match &known.kink.value {
-            Some((g, mean)) => found.folds.push(self.state_at_kink(&gap.radius, g, mean, kind)),
+        match self.value_at(known)? {
+            Some((g, mean)) => found.folds.push(self.state_at_kink(&gap.radius, &g, &mean, kind)),
             None => found.poles.push(pole(Interval::new(gap.before, gap.after), kind)),
         }
         Ok(())
@@ -148,14 +159,17 @@ impl EnclosedCurve {
 
     /// The state of the fold in this precision, if it is at a kink or at the vertical edge.
     pub(super) fn fold_at_kink(&self, fold: &Fold<Interval>) -> Result<Option<Fold<Interval>>> {
-        for (index, radius) in self.radii().iter().enumerate() {
+        let Radii { kinks, edge } = self.radii();
+        for (index, radius) in kinks.iter().enumerate() {
             if !radius.overlaps(&fold.contact_radius) {
                 continue;
             }
             for margin in MARGINS {
-                let Some(known) = self.known(index, radius, margin)? else { continue };
-                if let (Some(kind), Some((g, mean))) = (known.fold(), &known.kink.value) {
-                    return Ok(Some(self.state_at_kink(radius, g, mean, kind)));
+                let Some(known) = self.known((index, edge), radius, margin)? else { continue };
+                if let Some(kind) = known.fold()
+                    && let Some((g, mean)) = self.value_at(&known)?
+                {
+                    return Ok(Some(self.state_at_kink(radius, &g, &mean, kind)));
                 }
             }
         }
@@ -215,6 +229,11 @@ fn pole(radius: Interval, kind: FoldKind) -> Fold<Interval> {
     Fold { contact_radius: radius, indentation: value.clone(), force: value, kind }
 }
 
+/// 2^−margin.
+fn share<R: Real>(like: &R, margin: u32) -> R {
+    like.lit(2).powi(-i64::from(margin))
+}
+
 /// radius·(1 ± 2^−margin).
 pub(super) fn shifted(radius: &Float, direction: i32, margin: u32) -> Float {
     let step = Float::with_val(radius.prec(), radius >> margin) * direction;
@@ -222,15 +241,15 @@ pub(super) fn shifted(radius: &Float, direction: i32, margin: u32) -> Float {
 }
 
 /// The least and the greatest g on a cell that holds one kink, from g there and the slopes on both sides.
-pub(super) fn beside(
-    transform: &dyn Transform<Interval>,
+pub(super) fn beside<I: Ends>(
+    transform: &dyn Transform<I>,
     index: usize,
-    kink: &Interval,
-    cell: &Interval,
-) -> Option<[Option<Interval>; 2]> {
-    let [before, after] = [cell.lower(), cell.upper()].map(|end| (Interval::point(end.clone()) - kink).abs());
-    let margin = (before.greater(&after) / kink).upper().clone();
-    let Kink { value, inside, outside } = transform.kink(index, &Interval::point(margin)).ok()??;
+    kink: &I,
+    cell: &I,
+) -> Option<[Option<I>; 2]> {
+    let [before, after] = cell.ends().map(|end| (end - kink).abs());
+    let [_, margin] = (before.greater(&after) / kink).ends();
+    let Kink { value, inside, outside } = transform.kink(index, &margin).ok()??;
     let (g, _) = value?;
     let zero = g.lit(0);
     let least = inside.greatest.zip(outside.least).map(|(inside, outside)| {

@@ -11,6 +11,7 @@
 
 mod branches;
 mod cells;
+mod condition;
 mod continuation;
 mod distant;
 mod elsewhere;
@@ -33,6 +34,7 @@ mod stretch;
 
 pub use branches::ProvedBranches;
 pub use cells::{ProvedCell, Trend};
+pub use condition::CurveInDoubles;
 pub use continuation::Continuation;
 pub use energy::{EnclosedEnergy, StoredEnergy};
 pub use extrema::rises_from;
@@ -45,13 +47,14 @@ pub use range::range;
 use std::sync::Arc;
 
 use mdr_core::calculus::isolate::{Behaviour, Effort, isolate_each};
-use mdr_core::calculus::verify::verify;
+use mdr_core::calculus::verify::verify_with;
 use mdr_core::contact::{Error, Fold, FoldKind, Quantity, Result};
 use mdr_core::number::{Dual, Interval, Precision, Real, order};
 use rug::Float;
 
 use crate::contact::Contact;
 use crate::energy::MEDIUM;
+use condition::{behaviour, condition, folds_where_level};
 
 /// The most steps of Newton's method towards a zero that is proved then.
 const APPROACHES: u32 = 6;
@@ -60,11 +63,11 @@ const APPROACHES: u32 = 6;
 const AROUND: [i64; 2] = [25, 42];
 
 /// The last bits of a radius that may be unknown after Newton's method has converged.
-const SPARE: i64 = 8;
+const SPARE: i64 = 24;
 
-/// What a step of Newton's method may be for the next one to lead to a zero with nearly all digits.
+/// What a step of Newton's method may be for the place after it to have half of all digits: a proof begins with another such step.
 fn near(place: &Float) -> Float {
-    Float::with_val(53, place.abs_ref()) >> (place.prec() / 2)
+    Float::with_val(53, place.abs_ref()) >> (place.prec() / 4)
 }
 
 /// Refuses other media than a half-space.
@@ -85,12 +88,14 @@ pub struct EnclosedCurve {
     fine: Option<Arc<EnclosedCurve>>,
     /// Whether g is an integral, of which few digits cost less than all.
     is_by_integrals: bool,
+    /// The contact in doubles, which are asked first.
+    in_doubles: Option<CurveInDoubles>,
 }
 
 impl EnclosedCurve {
     /// A contact, given over enclosures and over dual numbers of enclosures.
     pub fn new(plain: Contact<Interval>, dual: Contact<Dual<Interval>>) -> Self {
-        EnclosedCurve { plain, dual, fine: None, is_by_integrals: false }
+        EnclosedCurve { plain, dual, fine: None, is_by_integrals: false, in_doubles: None }
     }
 
     /// With the same contact in a higher precision, in which folds are enclosed once this one has isolated them: these are then
@@ -104,6 +109,12 @@ impl EnclosedCurve {
     #[must_use]
     pub fn by_integrals(self) -> Self {
         EnclosedCurve { is_by_integrals: true, ..self }
+    }
+
+    /// With the same contact in doubles, which decide what needs few digits: for a profile whose g takes many operations, as a table.
+    #[must_use]
+    pub fn helped_by(self, in_doubles: Option<CurveInDoubles>) -> Self {
+        EnclosedCurve { in_doubles, ..self }
     }
 
     /// The contact over enclosures.
@@ -234,17 +245,19 @@ impl EnclosedCurve {
         self.plain.modulus().ctx()
     }
 
-    /// The tangency ratio minus its critical value: positive where equilibria are stable, zero at a fold. The entire
-    /// line if the enclosure leaves the domain of the profile.
+    /// The condition of folds; the entire line if the enclosure leaves the domain of the profile.
     fn condition(&self, a: &Interval) -> Result<Interval> {
-        match self.plain.tangency(a) {
-            Err(Error::Domain { .. }) => Ok(Interval::entire(a.ctx())),
-            ratio => Ok(self.holding(ratio?) - self.plain.critical_ratio_at(a)),
-        }
+        Ok(condition(&self.plain, a)?.unwrap_or_else(|| Interval::entire(a.ctx())))
     }
 
     /// The condition at a radius, with at least its sign.
     fn signed_condition(&self, a: &Interval) -> Result<Interval> {
+        let in_doubles = self.in_doubles.as_ref().map(|doubles| doubles.signed_condition(a)).transpose()?.flatten();
+        in_doubles.map_or_else(|| self.signed_in_bits(a), Ok)
+    }
+
+    /// The same without doubles.
+    fn signed_in_bits(&self, a: &Interval) -> Result<Interval> {
         if self.is_by_integrals && a.is_point() {
             for share in AROUND {
                 let around = a.clone().inflate(&(a.lit(2).powi(-share) * a));
@@ -261,16 +274,8 @@ impl EnclosedCurve {
         Ok(condition)
     }
 
-    /// The tangency ratio, but −1 where g' = 0 on all of a cell and folds are where g' = 0: a flat is neutral there, and surfaces touch without
-    /// holding.
-    fn holding(&self, ratio: Interval) -> Interval {
-        if ratio == ratio.lit(0) && self.folds_where_level() { ratio.lit(-1) } else { ratio }
-    }
-
-    /// Whether folds are where g' = 0: at an edge without adhesion, and on a Winkler foundation at fixed grips, where Δl is constant.
     fn folds_where_level(&self) -> bool {
-        let like = self.plain.modulus();
-        self.plain.critical_ratio_at(&like.lit(1)) == like.lit(0)
+        folds_where_level(&self.plain)
     }
 
     fn slope(&self, a: &Interval) -> Result<Interval> {
@@ -278,36 +283,18 @@ impl EnclosedCurve {
     }
 
     fn with_slope(&self, a: &Interval) -> Result<Dual<Interval>> {
-        let a = Dual::variable(a.clone());
-        match self.dual.tangency(&a) {
-            Err(Error::Domain { .. }) => {
-                let unknown = Interval::entire(a.ctx());
-                Ok(Dual { value: unknown.clone(), slope: unknown })
-            }
-            ratio => {
-                let ratio = ratio?;
-                let ratio = Dual { value: self.holding(ratio.value), ..ratio };
-                Ok(ratio - self.dual.critical_ratio_at(&a))
-            }
-        }
+        let unknown = || Interval::entire(a.ctx());
+        let known = condition(&self.dual, &Dual::variable(a.clone()))?;
+        Ok(known.unwrap_or_else(|| Dual { value: unknown(), slope: unknown() }))
     }
 
-    /// The behaviour on a cell by its enclosure, either direct or in the mean-value form f(m) + f'(cell)(cell − m).
+    /// The behaviour on a cell, in doubles if they tell enough.
     fn behaviour(&self, cell: &Interval) -> Result<Behaviour> {
-        let over_cell = self.with_slope(cell)?;
-        if !over_cell.value.contains_zero() {
-            return Ok(Behaviour::Nonzero);
+        let in_doubles = self.in_doubles.as_ref().map(|doubles| doubles.behaviour(cell)).transpose()?.flatten();
+        match in_doubles {
+            Some(known) => Ok(known),
+            None => behaviour(Some(self.with_slope(cell)?), cell, |centre| self.signed_in_bits(centre).map(Some)),
         }
-        if !over_cell.slope.is_finite() {
-            return Ok(Behaviour::Unknown);
-        }
-        // Before another evaluation: what is monotone needs none.
-        if !over_cell.slope.contains_zero() {
-            return Ok(Behaviour::Monotone);
-        }
-        let centre = Interval::point(cell.mid());
-        let mean_value = self.signed_condition(&centre)? + over_cell.slope * (cell.clone() - &centre);
-        Ok(if mean_value.contains_zero() { Behaviour::Unknown } else { Behaviour::Nonzero })
     }
 
     /// The only zero in a cell where the condition is monotone, by bisection followed by interval Newton.
@@ -315,8 +302,8 @@ impl EnclosedCurve {
         let mut cell = self.promoted(cell);
         // Newton converges from nearly any cell that isolates a simple zero; halving leads to such a cell.
         for _ in 0..cell.precision() {
-            let candidate = self.approached(&cell)?;
-            if let Some(zero) = verify(&candidate, |a| self.condition(a), |a| self.slope(a))?
+            let (candidate, near) = self.approached(&cell)?;
+            if let Some(zero) = verify_with(&candidate, &near, |a| self.condition(a), |a| self.slope(a))?
                 && let Some(common) = zero.intersect(&cell)
                 && (cell.encloses(&zero) || !self.slope(&zero.hull(&cell))?.contains_zero())
             {
@@ -329,19 +316,23 @@ impl EnclosedCurve {
         Ok(None)
     }
 
-    /// A place near the zero in a cell, by steps of Newton's method from its middle until half of the digits are known: a proof takes six
-    /// evaluations where it succeeds and twice as many where it does not. The middle, where a step leads out of the cell.
-    fn approached(&self, cell: &Interval) -> Result<Float> {
-        let mut place = cell.mid();
+    /// A place near the zero in a cell, by steps of Newton's method from its middle until half of the digits are known, and a slope beside
+    /// it: a proof takes few evaluations where it succeeds and many where it does not. The middle, where a step leads out of the cell.
+    fn approached(&self, cell: &Interval) -> Result<(Float, Interval)> {
+        let in_doubles = self.in_doubles.as_ref().map(|doubles| doubles.approached(cell)).transpose()?.flatten();
+        let mut place = in_doubles.map_or_else(|| cell.mid(), |place| Float::with_val(cell.precision(), place));
+        let mut slope = None;
         for _ in 0..APPROACHES {
             if Float::with_val(53, cell.radius()) <= near(&place) {
                 break;
             }
             let at = self.with_slope(&Interval::point(place.clone()))?;
             let step = (at.value / &at.slope).mid();
+            slope = Some(at.slope);
             let next = Float::with_val(place.prec(), &place - &step);
             if !cell.contains(&next) {
-                return Ok(cell.mid());
+                place = cell.mid();
+                break;
             }
             let is_last = Float::with_val(53, step.abs_ref()) <= near(&next);
             place = next;
@@ -349,7 +340,8 @@ impl EnclosedCurve {
                 break;
             }
         }
-        Ok(place)
+        let slope = slope.map_or_else(|| self.slope(&Interval::point(place.clone())), Ok)?;
+        Ok((place, slope))
     }
 
     /// An interval in the precision of this curve, or its own if that is larger.

@@ -8,10 +8,10 @@
 //! and falls as r grows. Sums are done in doubles: of operations that round correctly, on differences of numbers that are exact, so
 //! that a bound of their rounding error is known.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use mdr_core::contact::Transform;
-use mdr_core::number::{Interval, Precision, Real};
+use mdr_core::number::{DoubleInterval, Ends, Interval, Precision};
 use rug::float::Round;
 
 use super::kinks::beside;
@@ -37,42 +37,83 @@ const LEAST_SUM: f64 = 1e-280;
 const BITS: u32 = 64;
 
 /// g between two step functions.
-pub(super) struct Staircases([OnceLock<Vec<Cell>>; LEVELS.len()]);
+pub(super) struct Staircases {
+    transform: Bounded,
+    levels: [OnceLock<Vec<Cell>>; LEVELS.len()],
+}
+
+/// A transform in an arithmetic that bounds g on cells.
+pub(super) enum Bounded {
+    InDoubles(Arc<dyn Transform<DoubleInterval>>),
+    InBits(Arc<dyn Transform<Interval>>),
+}
+
+impl Bounded {
+    fn g(&self, cell: &Cell) -> [f64; 2] {
+        match self {
+            Bounded::InDoubles(transform) => cell.bounded_by(&**transform, ()),
+            Bounded::InBits(transform) => cell.bounded_by(&**transform, Precision::new(BITS)),
+        }
+    }
+
+    fn kinks(&self) -> Vec<[f64; 2]> {
+        match self {
+            Bounded::InDoubles(transform) => transform.kinks().iter().map(ends_of).collect(),
+            Bounded::InBits(transform) => transform.kinks().iter().map(ends_of).collect(),
+        }
+    }
+
+    /// The last number that is certainly within the profile.
+    fn outer_radius(&self) -> Option<f64> {
+        let [least, _] = match self {
+            Bounded::InDoubles(transform) => ends_of(&transform.outer_radius()?),
+            Bounded::InBits(transform) => ends_of(&transform.outer_radius()?),
+        };
+        Some(least.next_down())
+    }
+}
+
+/// The ends of a set of numbers in doubles, rounded outward.
+fn ends_of<I: Ends>(set: &I) -> [f64; 2] {
+    [-(-set.clone()).most().to_f64_round(Round::Up), set.most().to_f64_round(Round::Up)]
+}
 
 /// Radii on which g is bounded.
 struct Cell {
     from: f64,
     to: f64,
     /// The kink with this index is within, just above the lower end.
-    kink: Option<(usize, Interval)>,
+    kink: Option<(usize, [f64; 2])>,
     /// The least and the greatest g, once they are asked for.
     bounds: OnceLock<[f64; 2]>,
 }
 
 impl Cell {
-    fn new([from, to]: [f64; 2], kink: Option<(usize, Interval)>) -> Self {
+    fn new([from, to]: [f64; 2], kink: Option<(usize, [f64; 2])>) -> Self {
         Cell { from, to, kink, bounds: OnceLock::new() }
     }
 
+    /// Bounds of g.
+    fn g(&self, transform: &Bounded) -> [f64; 2] {
+        *self.bounds.get_or_init(|| transform.g(self))
+    }
+
     /// Bounds of g: from its value in the middle, or at the kink, and its slopes.
-    fn g(&self, transform: &dyn Transform<Interval>) -> [f64; 2] {
-        *self.bounds.get_or_init(|| {
-            let precision = Precision::new(BITS);
-            let [from, to] = [self.from, self.to].map(|end| Interval::from_f64(precision, end));
-            let cell = from.hull(&to);
-            let [least, most] = match &self.kink {
-                Some((index, kink)) => beside(transform, *index, kink, &cell).unwrap_or_default(),
-                None => {
-                    let middle = cell.midpoint();
-                    let slope = transform.slope(&cell);
-                    let bounds = transform.g(&middle).and_then(|g| Ok(g + slope? * (cell - middle))).ok();
-                    [bounds.clone(), bounds]
-                }
-            };
-            let known = |bound: &Interval| Real::is_finite(bound);
-            let least = least.filter(known).map_or(f64::NEG_INFINITY, |g| g.lower().to_f64_round(Round::Down));
-            [least, most.filter(known).map_or(f64::INFINITY, |g| g.upper().to_f64_round(Round::Up))]
-        })
+    fn bounded_by<I: Ends>(&self, transform: &dyn Transform<I>, ctx: I::Ctx) -> [f64; 2] {
+        let hull = |[from, to]: [f64; 2]| I::from_f64(ctx, from).hull(&I::from_f64(ctx, to));
+        let cell = hull([self.from, self.to]);
+        let [least, most] = match self.kink {
+            Some((index, kink)) => beside(transform, index, &hull(kink), &cell).unwrap_or_default(),
+            None => {
+                let middle = cell.midpoint();
+                let slope = transform.slope(&cell);
+                let bounds = transform.g(&middle).and_then(|g| Ok(g + slope? * (cell - middle))).ok();
+                [bounds.clone(), bounds]
+            }
+        };
+        let known = |bound: &I| bound.is_finite();
+        let least = least.filter(known).map_or(f64::NEG_INFINITY, |g| ends_of(&g)[0]);
+        [least, most.filter(known).map_or(f64::INFINITY, |g| ends_of(&g)[1])]
     }
 }
 
@@ -92,16 +133,16 @@ impl State {
 }
 
 impl Staircases {
-    pub(super) fn new() -> Self {
-        Staircases(Default::default())
+    pub(super) fn new(transform: Bounded) -> Self {
+        Staircases { transform, levels: Default::default() }
     }
 
     /// Whether no gap outside a contact is negative, if that is certain; and the terms that were summed. Each staircase is asked for the
     /// radii that those before it leave open.
-    pub(super) fn are_open(&self, transform: &dyn Transform<Interval>, state: State) -> (bool, u64) {
+    pub(super) fn are_open(&self, state: State) -> (bool, u64) {
         let (mut left, mut terms) = (vec![[state.a[0], f64::INFINITY]], 0);
         for level in 0..LEVELS.len() {
-            let mut stair = self.stair(level, transform, state);
+            let mut stair = self.stair(level, state);
             left = stair.not_open(left);
             terms += stair.terms;
             if left.is_empty() {
@@ -112,20 +153,20 @@ impl Staircases {
     }
 
     /// The gap at a radius, from above, if it is certainly negative.
-    pub(super) fn overlap(&self, transform: &dyn Transform<Interval>, state: State, r: f64) -> Option<f64> {
-        let most = |level| self.stair(level, transform, state).most(r);
+    pub(super) fn overlap(&self, state: State, r: f64) -> Option<f64> {
+        let most = |level| self.stair(level, state).most(r);
         (0..LEVELS.len()).find_map(|level| most(level).filter(|gap| *gap < 0.0))
     }
 
-    fn stair<'a>(&'a self, level: usize, transform: &'a dyn Transform<Interval>, state: State) -> Stair<'a> {
-        let cells = self.0[level].get_or_init(|| cells(transform, LEVELS[level]));
-        Stair { transform, cells, state, terms: 0 }
+    fn stair(&self, level: usize, state: State) -> Stair<'_> {
+        let cells = self.levels[level].get_or_init(|| cells(&self.transform, LEVELS[level]));
+        Stair { transform: &self.transform, cells, state, terms: 0 }
     }
 }
 
 /// A state among the cells.
 struct Stair<'a> {
-    transform: &'a dyn Transform<Interval>,
+    transform: &'a Bounded,
     cells: &'a [Cell],
     state: State,
     terms: u64,
@@ -216,22 +257,21 @@ fn weight([from, to]: [f64; 2], r: f64, across: f64) -> f64 {
 
 /// About so many cells between the first kink and the end of a profile, and some below. None holds a kink but just above its lower end:
 /// there slopes are bounded by what is known of the kink.
-fn cells(transform: &dyn Transform<Interval>, count: usize) -> Vec<Cell> {
+fn cells(transform: &Bounded, count: usize) -> Vec<Cell> {
     let kinks = transform.kinks();
-    let end = transform.outer_radius().map(|outer| outer.lower().to_f64_round(Round::Down));
-    let (Some(first), Some(end)) = (kinks.first(), end) else { return Vec::new() };
+    let (Some([first, _]), Some(end)) = (kinks.first(), transform.outer_radius()) else { return Vec::new() };
     let parts = (count / kinks.len()).max(2);
     let mut cells = Vec::new();
-    let mut from = first.approx() * 2f64.powi(-OCTAVES);
+    let mut from = first * 2f64.powi(-OCTAVES);
     for (index, kink) in kinks.iter().enumerate() {
-        let before = kink.lower().to_f64_round(Round::Down).next_down();
-        let next = kinks.get(index + 1).map_or(end, Interval::approx);
+        let before = kink[0].next_down();
+        let next = kinks.get(index + 1).map_or(end, |[next, _]| *next);
         let after = before + ((next - before) / parts as f64).min(before / 8.0);
-        if !(before > from && after > kink.upper().to_f64_round(Round::Up)) {
+        if !(before > from && after > kink[1]) {
             return Vec::new();
         }
         divided([from, before], if index == 0 { PARTS_OF_OCTAVE } else { parts }, &mut cells);
-        cells.push(Cell::new([before, after], Some((index, kink.clone()))));
+        cells.push(Cell::new([before, after], Some((index, *kink))));
         from = after;
     }
     divided([from, end], parts, &mut cells);
@@ -256,4 +296,4 @@ fn divided([from, to]: [f64; 2], parts: usize, cells: &mut Vec<Cell>) {
 
 #[cfg(test)]
 #[path = "../../tests/private/staircase.rs"]
-mod tests;
+pub(super) mod tests;

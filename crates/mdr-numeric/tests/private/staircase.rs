@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use mdr_core::contact::{Control, Material};
+use mdr_core::number::Real;
 
 use super::super::continuation::Continuation;
 use super::super::overlap::Outside;
@@ -11,7 +12,7 @@ use crate::contact::Contact;
 use crate::table::Table;
 
 /// Rows with bumps, of which some would touch a contact within.
-fn bumpy() -> Table {
+pub(crate) fn bumpy() -> Table {
     let row = |i: i32| {
         let r = 0.1 * f64::from(i);
         format!("{r:.3},{:.6}\n", r * r / 2.0 * (1.0 + 0.2 * (1.3 * f64::from(i)).sin()))
@@ -20,22 +21,31 @@ fn bumpy() -> Table {
     Table::from_csv(format!("r,f\n{rows}").as_bytes()).expect("a table")
 }
 
+/// Its transform in doubles and in bits.
+fn bounded() -> [Bounded; 2] {
+    let in_doubles = bumpy().profile::<DoubleInterval>(()).expect("a table");
+    let in_bits = bumpy().profile::<Interval>(Precision::new(BITS)).expect("a table");
+    [Bounded::InDoubles(Arc::new(in_doubles)), Bounded::InBits(Arc::new(in_bits))]
+}
+
 struct Case {
     contact: Contact<Interval>,
     profile: Continuation,
-    staircases: Staircases,
+    /// In doubles and in bits.
+    staircases: [Staircases; 2],
 }
 
 impl Case {
     fn new() -> Self {
         let precision = Precision::new(BITS);
+        let [in_doubles, in_bits] = bounded();
         let profile = bumpy().profile::<Interval>(precision).expect("a table");
         let formula = profile.enclosed();
         let number = |x: f64| Interval::from_f64(precision, x);
         let material = Material::new(number(1.0), number(1e-4)).expect("positive");
         let contact = Contact::half_space(&Arc::new(profile), &material, &Control::Indentation);
         let profile = Continuation::new(vec![formula]).expect("kinks in order");
-        Case { contact, profile, staircases: Staircases::new() }
+        Case { contact, profile, staircases: [in_doubles, in_bits].map(Staircases::new) }
     }
 
     /// A state of equilibrium, pressed deeper by a length.
@@ -58,11 +68,13 @@ const STATES: [[f64; 2]; 3] = [[0.25, 0.0], [0.53, -0.01], [0.61, 0.02]];
 #[test]
 fn bounds_hold_the_gap_by_integrals_over_f() {
     let case = Case::new();
-    for [a, deeper] in STATES {
+    for ([a, deeper], staircases) in
+        STATES.into_iter().flat_map(|state| case.staircases.iter().map(move |one| (state, one)))
+    {
         let place = case.place(a, deeper);
         let mut narrowest = f64::INFINITY;
         for level in 0..LEVELS.len() - 1 {
-            let stair = case.staircases.stair(level, case.contact.transform(), State::of(&place));
+            let stair = staircases.stair(level, State::of(&place));
             let (first, d) = (stair.first().expect("beyond the tip"), stair.state.d[1]);
             let mut widest = 0f64;
             for share in 1..10 {
@@ -83,12 +95,14 @@ fn bounds_hold_the_gap_by_integrals_over_f() {
 
 #[test]
 fn cells_hold_g_up_to_their_ends() {
-    let table = bumpy();
-    let (profile, double) =
-        (table.profile::<Interval>(Precision::new(BITS)).expect("a table"), table.profile::<f64>(()));
-    let double = double.expect("a table");
-    for cell in cells(&profile, LEVELS[0]).iter().filter(|cell| cell.from > 0.05) {
-        let [least, most] = cell.g(&profile);
+    let double = bumpy().profile::<f64>(()).expect("a table");
+    for (profile, cell) in
+        bounded().iter().flat_map(|profile| cells(profile, LEVELS[0]).into_iter().map(move |cell| (profile, cell)))
+    {
+        if cell.from <= 0.05 {
+            continue;
+        }
+        let [least, most] = cell.g(profile);
         for share in 0..=8 {
             let x = (cell.from + (cell.to - cell.from) * f64::from(share) / 8.0).min(1.3);
             let g = double.g(&x).expect("within the table");
@@ -106,7 +120,7 @@ fn weights_are_those_of_arcs() {
         cell.bounds.set([g, g]).expect("not asked for");
         cell
     };
-    let transform = bumpy().profile::<Interval>(Precision::new(BITS)).expect("a table");
+    let [transform, _] = bounded();
     let number = |x: f64| Interval::from_f64(Precision::new(BITS), x);
     let a = number(0.11).hull(&number(0.12));
     for heights in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [2.0, -1.0], [-1.0, 2.0]] {
@@ -134,15 +148,16 @@ fn weights_are_those_of_arcs() {
 #[test]
 fn open_gaps_and_overlaps_are_told_apart() {
     let case = Case::new();
-    let transform = case.contact.transform();
     for (a, open, overlap) in [(0.17, true, None), (0.6, false, Some(0.8)), (0.61, false, Some(0.8))] {
         let place = case.place(a, 0.0);
         let state = State::of(&place);
         let radii = (1..100).map(|share| a + (1.299 - a) * f64::from(share) / 100.0);
         let least = radii.map(|r| case.gap(&place, r).approx()).fold(f64::INFINITY, f64::min);
         assert_eq!(least > 0.0, open, "{a}: {least}");
-        assert_eq!(case.staircases.are_open(transform, state).0, open);
-        let found = overlap.and_then(|r| case.staircases.overlap(transform, state, r));
-        assert_eq!(found.is_some(), overlap.is_some(), "{a}: {least}");
+        for staircases in &case.staircases {
+            assert_eq!(staircases.are_open(state).0, open);
+            let found = overlap.and_then(|r| staircases.overlap(state, r));
+            assert_eq!(found.is_some(), overlap.is_some(), "{a}: {least}");
+        }
     }
 }

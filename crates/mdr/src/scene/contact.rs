@@ -13,9 +13,11 @@ use mdr_core::contact::EnclosedFormula;
 use mdr_core::contact::{Control, Edge, Error, ExpressionError, ExpressionProfile, Quantity, Transform};
 #[cfg(feature = "mp")]
 use mdr_core::number::{Dual, Interval, Precision};
-use mdr_core::number::{Literal, Special};
+use mdr_core::number::{Literal, Real, Special};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::medium::{self, Adhesion};
+#[cfg(feature = "mp")]
+use mdr_numeric::table::Table;
 use mdr_numeric::transform::Quadrature;
 #[cfg(feature = "mp")]
 use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
@@ -186,8 +188,29 @@ impl Scene {
         Ok(Contact::sharing(Arc::from(transform), medium, adhesion, control))
     }
 
+    /// The table that is pressed into a half-space; `None` of another scene.
+    #[cfg(feature = "mp")]
+    pub(crate) fn table_on_half_space(&self) -> Option<&Table> {
+        match &self.profile {
+            Profile::Table(measured) if self.medium.is_half_space() => Some(&measured.table),
+            _ => None,
+        }
+    }
+
+    /// The contact of that table in an arithmetic without a context.
+    ///
+    /// # Errors
+    /// A parameter out of its domain.
+    #[cfg(feature = "mp")]
+    pub(crate) fn contact_of_table<R: Special<Ctx = ()>>(&self, table: &Table) -> Result<Contact<R>> {
+        let number = |literal: &Literal| R::from_literal((), literal);
+        let adhesion = self.adhesion(|literal| Ok(number(literal)))?;
+        let medium = medium::Medium::half_space(number(&self.effective_modulus))?;
+        Ok(Contact::new(table.profile::<R>(())?, medium, adhesion, self.control.map(number)))
+    }
+
     /// The adhesion: that of an edge, or of both, of which the receding one is considered.
-    fn adhesion<R: SceneReal>(&self, number: impl Fn(&Literal) -> Result<R>) -> Result<Adhesion<R>> {
+    fn adhesion<R: Real>(&self, number: impl Fn(&Literal) -> Result<R>) -> Result<Adhesion<R>> {
         match &self.works {
             None => Adhesion::new(number(&self.work_of_adhesion)?),
             Some(works) => {

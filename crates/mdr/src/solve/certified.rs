@@ -5,18 +5,19 @@ use std::sync::Arc;
 
 use mdr_core::contact::{Error, Result};
 use mdr_core::number::certify::Enclosure;
-use mdr_core::number::{Interval, Precision, Real};
+use mdr_core::number::{Dual, Interval, Precision, Real};
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::folds::Folds;
-use mdr_numeric::proof::EnclosedEnergy;
+use mdr_numeric::proof::{CurveInDoubles, EnclosedEnergy};
 
 use super::digits::{MOST, MOST_OF_DECISIONS, MOST_OF_INTEGRALS, decide_within, start};
-use super::model::{Model, SceneReal};
+use super::model::{Model, SceneReal, counted};
 use super::proof::{self, FoldProof};
 use super::rigorous::{Formulas, with_energies, without_energies};
 use super::rows::PROVED_ROWS;
 use super::search::Search;
+use super::weight::weight_in_doubles;
 use super::{Once, once};
 use crate::answer::record::Numbers;
 use crate::answer::{Number, Output};
@@ -35,6 +36,7 @@ pub(crate) struct Certified<'s> {
     left_open: OnceCell<Error>,
     admissibility: Once<Arc<Admissibility>>,
     formulas: Once<Option<Formulas>>,
+    in_doubles: Once<Option<CurveInDoubles>>,
     /// An output of which a part is proved, for where nothing else has more of it.
     kept: RefCell<Option<Output>>,
 }
@@ -42,8 +44,9 @@ pub(crate) struct Certified<'s> {
 impl<'s> Certified<'s> {
     pub(crate) fn new(scene: &'s Scene, digits: u32, counts: &'s Counts) -> Self {
         let (search, plain, folds, left_open) = (OnceCell::new(), OnceCell::new(), OnceCell::new(), OnceCell::new());
-        let (admissibility, formulas, kept) = (OnceCell::new(), OnceCell::new(), RefCell::new(None));
-        Certified { scene, digits, counts, search, plain, folds, left_open, admissibility, formulas, kept }
+        let (admissibility, formulas, in_doubles) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        let kept = RefCell::new(None);
+        Certified { scene, digits, counts, search, plain, folds, left_open, admissibility, formulas, in_doubles, kept }
     }
 
     /// Keeps an output of which only a part is proved.
@@ -62,6 +65,21 @@ impl<'s> Certified<'s> {
     /// Errors that do not leave the question open; see [`Formulas::of`].
     pub(crate) fn formulas(&self) -> Result<Option<&Formulas>> {
         once(&self.formulas, || Ok(proof::decided(Formulas::of(&self.scene.profile))?.flatten())).map(Option::as_ref)
+    }
+
+    /// The contact over intervals of doubles, which helps where an evaluation takes many operations: of a table; `None` of another profile.
+    ///
+    /// # Errors
+    /// A parameter of the profile or the material that is out of its domain.
+    pub(crate) fn curve_in_doubles(&self) -> Result<Option<&CurveInDoubles>> {
+        let found = once(&self.in_doubles, || {
+            let Some(table) = self.scene.table_on_half_space() else { return Ok(None) };
+            let weight = weight_in_doubles(&self.scene.profile);
+            let plain = counted(&self.scene.contact_of_table(table)?, &self.counts[Interval::INDEX], weight);
+            let dual = counted(&self.scene.contact_of_table(table)?, &self.counts[Dual::<Interval>::INDEX], 3 * weight);
+            Ok(Some(CurveInDoubles::new(plain, dual)))
+        });
+        found.map(Option::as_ref)
     }
 
     /// Whether the energies of states can be enclosed: by closed forms, or for contacts that are discs by integrals over the profile.

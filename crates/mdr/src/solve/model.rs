@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use mdr_core::contact::{self, Control, CountingTransform, Edge, Result, Status, Transform};
+use mdr_core::contact::{self, Control, CountingTransform, Edge, EvaluationCounter, Result, Status, Transform};
 #[cfg(feature = "mp")]
 use mdr_core::contact::{Error, Quantity};
-use mdr_core::number::Literal;
+use mdr_core::number::{Literal, Real};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::path;
 
@@ -18,6 +18,12 @@ pub(crate) use crate::scene::SceneReal;
 use crate::scene::{Scene, Start};
 #[cfg(feature = "mp")]
 use crate::scene::{double, exactly};
+
+/// The contact, with its evaluations counted and weighed.
+pub(super) fn counted<R: Real>(contact: &Contact<R>, tally: &Arc<EvaluationCounter>, weight: u64) -> Contact<R> {
+    let transform = CountingTransform::sharing(Arc::clone(contact.shared_transform()), tally).weighing(weight);
+    contact.with_transform(Arc::new(transform))
+}
 
 /// Profile, material and control in one arithmetic.
 pub(crate) struct Model<R: SceneReal> {
@@ -38,9 +44,8 @@ impl<R: SceneReal> Model<R> {
     }
 
     fn counted(scene: &Scene, ctx: R::Ctx, contact: Contact<R>, counts: &Counts) -> Self {
-        let transform = CountingTransform::sharing(Arc::clone(contact.shared_transform()), &counts[R::INDEX]);
-        let transform = transform.weighing(weight(&scene.profile, R::INDEX, R::from_int(ctx, 1).precision()));
-        Model { ctx, contact: contact.with_transform(Arc::new(transform)) }
+        let weight = weight(&scene.profile, R::INDEX, R::from_int(ctx, 1).precision());
+        Model { ctx, contact: counted(&contact, &counts[R::INDEX], weight) }
     }
 
     pub(crate) fn number(&self, literal: &Literal) -> R {
@@ -107,6 +112,12 @@ impl<R: SceneReal> Model<R> {
 
     pub(crate) fn contact(&self) -> Contact<R> {
         self.contact.clone()
+    }
+
+    /// The contact under another control.
+    #[cfg(feature = "mp")]
+    pub(crate) fn under(&self, control: &Control<Literal>) -> Contact<R> {
+        self.contact.with_control(control.map(|stiffness| self.number(stiffness)))
     }
 }
 

@@ -4,7 +4,7 @@ use mdr_core::contact::{Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Dual, Interval, Literal, Precision, Real};
 use mdr_numeric::admissible::Admissibility;
-use mdr_numeric::proof::{EnclosedCurve, EnclosedGaps, ProvedFolds, rises_from};
+use mdr_numeric::proof::{CurveInDoubles, EnclosedCurve, EnclosedGaps, ProvedFolds, rises_from};
 use rug::Float;
 use rug::float::Round;
 
@@ -35,32 +35,36 @@ const BEYOND: &str =
 pub(crate) struct Enclosed {
     pub(crate) value: Model<Interval>,
     dual: Model<Dual<Interval>>,
+    in_doubles: Option<CurveInDoubles>,
 }
 
 impl Enclosed {
     /// # Errors
     /// A parameter of the profile or the material that is out of its domain.
     pub(crate) fn new(certified: &Certified<'_>, precision: Precision) -> Result<Self> {
-        Ok(Enclosed { value: certified.model(precision)?, dual: certified.model(precision)? })
+        let (value, dual) = (certified.model(precision)?, certified.model(precision)?);
+        Ok(Enclosed { value, dual, in_doubles: certified.curve_in_doubles()?.cloned() })
     }
 
     pub(crate) fn curve(&self) -> EnclosedCurve {
-        EnclosedCurve::new(self.value.contact(), self.dual.contact())
+        EnclosedCurve::new(self.value.contact(), self.dual.contact()).helped_by(self.in_doubles.clone())
     }
 
     /// The curve under a controlled force, whose folds are those of F.
     pub(crate) fn curve_of_force(&self) -> EnclosedCurve {
-        self.curve_under(Control::Force, Control::Force)
+        self.curve_under(&Control::Force)
     }
 
     /// The curve at fixed grips, whose folds are those of d.
     fn curve_at_fixed_grips(&self) -> EnclosedCurve {
-        self.curve_under(Control::Indentation, Control::Indentation)
+        self.curve_under(&Control::Indentation)
     }
 
-    /// The curve under one control, over enclosures and over enclosures with derivatives.
-    fn curve_under(&self, value: Control<Interval>, dual: Control<Dual<Interval>>) -> EnclosedCurve {
-        EnclosedCurve::new(self.value.contact().with_control(value), self.dual.contact().with_control(dual))
+    /// The curve under another control, in every arithmetic.
+    fn curve_under(&self, control: &Control<Literal>) -> EnclosedCurve {
+        let (value, dual) = (self.value.under(control), self.dual.under(control));
+        let in_doubles = self.in_doubles.as_ref().map(|curve| curve.under(control));
+        EnclosedCurve::new(value, dual).helped_by(in_doubles)
     }
 }
 
@@ -203,7 +207,7 @@ pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
     let weight = weight_of_height(&scene.profile, Interval::INDEX, ISOLATION);
     let gaps = EnclosedGaps::new(contact, profile)?.within(certified.counts[0].budget(), weight);
     if scene.is_short_table() {
-        return Ok(Some(gaps.by_staircases()));
+        return Ok(Some(gaps.by_staircases(certified.curve_in_doubles()?)));
     }
     let [lower, upper] = range(certified)?.ends.map(|end| enclosed.value.size(&end));
     let range = (lower?.lower().clone(), upper?.upper().clone());

@@ -11,6 +11,16 @@ pub(crate) fn weight(profile: &Profile, arithmetic: usize, bits: u32) -> u64 {
     costs.of_profile(profile)
 }
 
+/// The work of one value of g over intervals of doubles, in nanoseconds.
+#[cfg(feature = "mp")]
+pub(crate) fn weight_in_doubles(profile: &Profile) -> u64 {
+    INTERVAL * weight(profile, 0, f64::MANTISSA_DIGITS)
+}
+
+/// An operation on intervals of doubles counts as so many on doubles.
+#[cfg(feature = "mp")]
+const INTERVAL: u64 = 20;
+
 /// The work of one height of a profile within a bound of the gap, in nanoseconds: that of a shape is a few operations where g may be
 /// a special function.
 #[cfg(feature = "mp")]

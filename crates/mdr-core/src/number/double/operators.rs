@@ -75,6 +75,10 @@ impl MulAssign<&Self> for DoubleInterval {
             *self = Self::ENTIRE;
             return;
         }
+        if self.lo > 0.0 && other.lo > 0.0 {
+            *self = Self::new((self.lo * other.lo).next_down().max(0.0), (self.hi * other.hi).next_up());
+            return;
+        }
         // An end may be infinite, of an overflow: each number of the interval times zero is zero.
         let product = |x: f64, y: f64| if x == 0.0 || y == 0.0 { 0.0 } else { x * y };
         *self = self.by_corners(other, product);
@@ -85,6 +89,10 @@ impl DivAssign<&Self> for DoubleInterval {
     fn div_assign(&mut self, other: &Self) {
         if self.is_entire() || other.contains_zero() {
             *self = Self::ENTIRE;
+            return;
+        }
+        if self.lo > 0.0 && other.lo > 0.0 {
+            *self = Self::new((self.lo / other.hi).next_down().max(0.0), (self.hi / other.lo).next_up());
             return;
         }
         *self = self.by_corners(other, |x, y| x / y);

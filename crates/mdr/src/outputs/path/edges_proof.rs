@@ -7,11 +7,11 @@ use mdr_numeric::path::Path;
 use mdr_numeric::proof::ProvedBranches;
 
 use super::proof::{checked, set_exact, started};
-use super::{LoadingPath, PathNumbers, edges, edges_energies, events};
+use super::{Energies, LoadingPath, PathNumbers, edges, edges_energies, events};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise};
 use crate::solve::certified::Certified;
-use crate::solve::digits::{MOST_OF_INTEGRALS, decide_within, guarded, raised, start};
+use crate::solve::digits::{MOST_OF_INTEGRALS, decide_within, start};
 use crate::solve::proof::{Enclosed, FoldProof, decided, reached};
 
 /// The contact at the works of adhesion of an advancing and of a receding edge, each with all its folds.
@@ -96,11 +96,10 @@ impl Followed {
 ///
 /// # Errors
 /// No stable equilibrium at the first way point; errors of the transform. See [`Path::follow_edges`].
-pub(super) fn path(pair: &Pair<'_, '_>) -> Result<Option<(LoadingPath, Followed)>> {
+pub(super) fn path(pair: &Pair<'_, '_>, energies: Energies) -> Result<Option<(LoadingPath, Followed)>> {
     let receding = pair.edges[1];
     let scene = receding.scene;
-    // As precise as the energies will need the states.
-    let precision = guarded(raised(start(receding.digits)));
+    let precision = energies.precision_of_states(receding.digits);
     let mut last = None;
     let items = receding.decide_from(precision, |precision| {
         let followed = last.insert(Followed::new(pair, precision)?);

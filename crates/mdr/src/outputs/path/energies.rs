@@ -24,11 +24,17 @@ pub(super) fn of_path(
     contact: &Contact<Interval>,
     energy: &EnclosedEnergy<'_>,
 ) -> Result<PathNumbers<Enclosure>> {
-    let finite: Vec<&Event<Interval>> =
-        path.events.iter().filter(|event| changes(event.kind) && !is_unbounded(event, contact)).collect();
-    let ends = [path.events.first(), path.events.last()].into_iter().flatten().map(|event| &event.after);
+    let of_kind = |kind: fn(&Event<Interval>, &Contact<Interval>) -> bool| {
+        path.events.iter().filter(move |event| changes(event.kind) && kind(event, contact))
+    };
+    let finite = of_kind(|event, contact| !is_unbounded(event, contact));
+    let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
+    let has_balance = !lost_track && of_kind(is_unbounded).next().is_none();
+    let returns = returns(path, way);
+    // What is stored at the ends costs as much as at a jump.
+    let ends = [path.events.first(), path.events.last()].into_iter().flatten().filter(|_| has_balance && !returns);
     let states: Vec<&ContactState<Interval>> =
-        finite.iter().flat_map(|event| [&event.before, &event.after]).chain(ends).collect();
+        finite.flat_map(|event| [&event.before, &event.after]).chain(ends.map(|event| &event.after)).collect();
     let mut stored = energy.stored(&states)?.into_iter();
     let mut next = || stored.next().flatten();
     let mut total = Some(StoredEnergy::default());
@@ -50,15 +56,18 @@ pub(super) fn of_path(
         };
         events.push(lost_in(event.kind, dissipated));
     }
-    let [first, last] = [next(), next()];
-    let balance = total.zip(first.zip(last)).map(|(dissipated, (first, last))| {
-        let stored = if returns(path, way) { StoredEnergy::default() } else { last.minus(&first) };
+    let stored = if returns {
+        Some(StoredEnergy::default())
+    } else {
+        let [first, last] = [next(), next()];
+        first.zip(last).map(|(first, last)| last.minus(&first))
+    };
+    let balance = total.zip(stored).map(|(dissipated, stored)| {
         let work = dissipated.clone().plus(&stored);
         let [work, dissipated, stored] = [work, dissipated, stored].map(value);
         Balance { work, dissipated, stored, jumps: Optional(None), hysteresis: Optional(None) }
     });
-    let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
-    Ok(PathNumbers { events, balance: balance.filter(|_| !lost_track) })
+    Ok(PathNumbers { events, balance: balance.filter(|_| has_balance) })
 }
 
 pub(super) fn value(sum: StoredEnergy) -> Value<Enclosure> {

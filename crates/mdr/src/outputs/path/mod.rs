@@ -17,10 +17,11 @@ mod start;
 
 use mdr_core::calculus::Estimate;
 #[cfg(feature = "mp")]
-#[cfg(feature = "mp")]
 use mdr_core::contact::Status;
 use mdr_core::contact::{Control, Edge, Result};
 use mdr_core::number::Literal;
+#[cfg(feature = "mp")]
+use mdr_core::number::Precision;
 use mdr_numeric::folds::SearchQuality;
 use mdr_numeric::path::EventKind;
 
@@ -35,7 +36,7 @@ use crate::solve::states::States;
 #[cfg(feature = "mp")]
 use crate::solve::{
     certified::Certified,
-    digits::decide,
+    digits::{decide, guarded, raised, start},
     power_law::{self, PowerLaw},
     proof::FoldProof,
 };
@@ -420,13 +421,22 @@ pub(crate) enum Energies {
     All,
 }
 
+#[cfg(feature = "mp")]
+impl Energies {
+    /// The precision of the states to begin with: as the energies will need them, if they are computed.
+    fn precision_of_states(self, digits: u32) -> Precision {
+        let of_digits = start(digits);
+        if self == Energies::None { of_digits } else { guarded(raised(of_digits)) }
+    }
+}
+
 /// The path over enclosures, with these of its energies; `None` if it cannot be proved.
 ///
 /// # Errors
 /// No stable equilibrium at the first way point; errors of the transform.
 #[cfg(feature = "mp")]
 pub(crate) fn proved(certified: &Certified<'_>, folds: &FoldProof, energies: Energies) -> Result<Option<LoadingPath>> {
-    let Some((path, followed)) = proof::path(certified, folds)? else { return Ok(None) };
+    let Some((path, followed)) = proof::path(certified, folds, energies)? else { return Ok(None) };
     let enclosed = |followed: &mut proof::Followed| followed.proved_energy(certified, folds);
     path.with_energies(energies, followed, enclosed, || Ok(searched_path(certified.plain()?)?.0)).map(Some)
 }
@@ -479,7 +489,7 @@ pub(crate) fn proved_between_edges(
     pair: &Pair<'_, '_>,
     energies: Energies,
 ) -> Result<Option<LoadingPath>> {
-    let Some((path, followed)) = edges_proof::path(pair)? else { return Ok(None) };
+    let Some((path, followed)) = edges_proof::path(pair, energies)? else { return Ok(None) };
     let enclosed = |followed: &mut edges_proof::Followed| followed.proved_energy(pair);
     path.with_energies(energies, followed, enclosed, || Ok(searched_path(whole.plain()?)?.0)).map(Some)
 }

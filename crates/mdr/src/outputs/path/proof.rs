@@ -7,12 +7,12 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::path::{Event, EventKind, Path};
 use mdr_numeric::proof::ProvedBranches;
 
-use super::{LoadingPath, PathEvent, PathNumbers, energies, events, follow, is_arrival};
+use super::{Energies, LoadingPath, PathEvent, PathNumbers, energies, events, follow, is_arrival};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, Number, Promise, Value};
 use crate::scene::Scene;
 use crate::solve::certified::Certified;
-use crate::solve::digits::{MOST_OF_INTEGRALS, decide_within, guarded, raised, start};
+use crate::solve::digits::{MOST_OF_INTEGRALS, decide_within, start};
 use crate::solve::proof::{Enclosed, FoldProof, decided, exactly, reached};
 
 /// How many times the bits of the digits are tried to show that no fold lies outside the range of the proof.
@@ -142,10 +142,13 @@ impl Followed {
 ///
 /// # Errors
 /// No stable equilibrium at the first way point; errors of the transform. See [`Path::follow`].
-pub(super) fn path(certified: &Certified<'_>, folds: &FoldProof) -> Result<Option<(LoadingPath, Followed)>> {
+pub(super) fn path(
+    certified: &Certified<'_>,
+    folds: &FoldProof,
+    energies: Energies,
+) -> Result<Option<(LoadingPath, Followed)>> {
     let scene = certified.scene;
-    // As precise as the energies will need the states.
-    let precision = guarded(raised(start(certified.digits)));
+    let precision = energies.precision_of_states(certified.digits);
     let mut last = None;
     let items = certified.decide_from(precision, |precision| {
         let followed = last.insert(Followed::new(certified, folds, precision)?);

@@ -1,0 +1,157 @@
+//! The condition of folds over sets of radii in any arithmetic, and what doubles decide of it.
+
+use std::cmp::Ordering;
+
+use mdr_core::calculus::isolate::Behaviour;
+use mdr_core::contact::{Control, Error, Result, Slopes};
+use mdr_core::number::{DoubleInterval, Dual, Ends, Interval, Literal, Real};
+
+use crate::contact::Contact;
+
+/// Cells with fewer bits of their radius in common are not undecided for the rounding of doubles.
+const WIDE: i64 = 20;
+/// The most steps of Newton's method in doubles.
+const STEPS: u32 = 12;
+/// The relative size of the last of them.
+const LAST: f64 = f64::EPSILON * 1024.0;
+
+/// The tangency ratio minus its critical value: positive where equilibria are stable, zero at a fold. `None` where the set of radii
+/// leaves the domain of the profile.
+pub(super) fn condition<R: Real>(contact: &Contact<R>, a: &R) -> Result<Option<R>> {
+    match contact.tangency(a) {
+        Err(Error::Domain { .. }) => Ok(None),
+        ratio => Ok(Some(holding(contact, ratio?) - contact.critical_ratio_at(a))),
+    }
+}
+
+/// The tangency ratio, but −1 where g' = 0 on all of a cell and folds are where g' = 0: a flat is neutral there, and surfaces touch without
+/// holding.
+fn holding<R: Real>(contact: &Contact<R>, ratio: R) -> R {
+    if ratio == ratio.lit(0) && folds_where_level(contact) { ratio.lit(-1) } else { ratio }
+}
+
+/// Whether folds are where g' = 0: at an edge without adhesion, and on a Winkler foundation at fixed grips, where Δl is constant.
+pub(super) fn folds_where_level<R: Real>(contact: &Contact<R>) -> bool {
+    let like = contact.modulus();
+    contact.critical_ratio_at(&like.lit(1)) == like.lit(0)
+}
+
+/// The sign of the condition at all radii of a cell, from bounds of g'.
+pub(super) fn sign<R: Real>(contact: &Contact<R>, cell: &R, slopes: &Slopes<R>) -> Option<Ordering> {
+    let threshold = contact.critical_ratio_at(cell);
+    let ratio = |slope: &R| contact.tangency_of(slope.clone(), cell);
+    let holding = |greatest: &R| holding(contact, ratio(greatest));
+    if slopes.greatest.as_ref().is_some_and(|greatest| holding(greatest) < threshold) {
+        Some(Ordering::Less)
+    } else if slopes.least.as_ref().is_some_and(|least| ratio(least) > threshold) {
+        Some(Ordering::Greater)
+    } else {
+        None
+    }
+}
+
+/// The behaviour of the condition on a cell, from its enclosure with a slope, either direct or in the mean-value form
+/// f(m) + f'(cell)(cell − m).
+pub(super) fn behaviour<I: Ends>(
+    over_cell: Option<Dual<I>>,
+    cell: &I,
+    at: impl FnOnce(&I) -> Result<Option<I>>,
+) -> Result<Behaviour> {
+    let Some(Dual { value, slope }) = over_cell else { return Ok(Behaviour::Unknown) };
+    if !value.has_zero() {
+        return Ok(Behaviour::Nonzero);
+    }
+    if !slope.is_finite() {
+        return Ok(Behaviour::Unknown);
+    }
+    // Before another evaluation: what is monotone needs none.
+    if !slope.has_zero() {
+        return Ok(Behaviour::Monotone);
+    }
+    let centre = cell.midpoint();
+    let mean_value = at(&centre)?.map(|value| value + slope * (cell.clone() - &centre));
+    Ok(if mean_value.is_some_and(|value| !value.has_zero()) { Behaviour::Nonzero } else { Behaviour::Unknown })
+}
+
+/// A contact over intervals of doubles, and over such with derivatives: of most cells, and of most signs, they decide as much as many
+/// bits, and cost a tenth.
+#[derive(Clone)]
+pub struct CurveInDoubles {
+    plain: Contact<DoubleInterval>,
+    dual: Contact<Dual<DoubleInterval>>,
+}
+
+impl CurveInDoubles {
+    /// The same contact in two arithmetics, whose numbers enclose those of the [curve](super::EnclosedCurve) that it helps.
+    pub fn new(plain: Contact<DoubleInterval>, dual: Contact<Dual<DoubleInterval>>) -> Self {
+        CurveInDoubles { plain, dual }
+    }
+
+    /// The contact over intervals of doubles.
+    pub fn plain(&self) -> &Contact<DoubleInterval> {
+        &self.plain
+    }
+
+    /// The curve under another control.
+    #[must_use]
+    pub fn under(&self, control: &Control<Literal>) -> Self {
+        let plain = self.plain.with_control(control.map(|stiffness| DoubleInterval::from_literal((), stiffness)));
+        let dual = self.dual.with_control(control.map(|stiffness| Dual::from_literal((), stiffness)));
+        CurveInDoubles { plain, dual }
+    }
+
+    fn with_slope(&self, a: DoubleInterval) -> Result<Option<Dual<DoubleInterval>>> {
+        within_range(condition(&self.dual, &Dual::variable(a)))
+    }
+
+    /// The condition at a radius, if its sign is certain.
+    pub(super) fn signed_condition(&self, a: &Interval) -> Result<Option<Interval>> {
+        let condition = within_range(condition(&self.plain, &DoubleInterval::around(a)))?;
+        Ok(condition.filter(|value| !value.has_zero()).map(|value| value.widened(a.ctx())))
+    }
+
+    /// The behaviour on a cell; `None` where more bits may tell more.
+    pub(super) fn behaviour(&self, cell: &Interval) -> Result<Option<Behaviour>> {
+        let cell_in_doubles = DoubleInterval::around(cell);
+        let over_cell = self.with_slope(cell_in_doubles)?;
+        let at = |centre: &DoubleInterval| within_range(condition(&self.plain, centre));
+        let known = behaviour(over_cell, &cell_in_doubles, at)?;
+        Ok((known != Behaviour::Unknown || cell.accuracy_bits() < WIDE).then_some(known))
+    }
+
+    /// The sign of the condition beside a kink, from bounds of g'.
+    pub(super) fn sign(&self, cell: &Interval, slopes: &Slopes<DoubleInterval>) -> Option<Ordering> {
+        sign(&self.plain, &DoubleInterval::around(cell), slopes)
+    }
+
+    /// A place near the zero in a cell where the condition is monotone, by Newton's method from its middle; `None` where that leads
+    /// out of the cell.
+    pub(super) fn approached(&self, cell: &Interval) -> Result<Option<f64>> {
+        let around = DoubleInterval::around(cell);
+        let mut place = around.approx();
+        for _ in 0..STEPS {
+            let Some(at) = self.with_slope(DoubleInterval::point(place))? else { return Ok(None) };
+            let step = (at.value / at.slope).approx();
+            place -= step;
+            if !(around.lower() < place && place < around.upper()) {
+                return Ok(None);
+            }
+            if step.abs() <= LAST * place {
+                break;
+            }
+        }
+        Ok(Some(place))
+    }
+}
+
+/// What doubles know: nothing where they leave their range, or where the profile does not reach.
+pub(super) fn within_range<T>(result: Result<Option<T>>) -> Result<Option<T>> {
+    match result {
+        Err(error) if error.is_interruption() => Err(error),
+        result => Ok(result.ok().flatten()),
+    }
+}
+
+#[cfg(test)]
+#[path = "../../tests/private/condition.rs"]
+mod tests;
