@@ -4,6 +4,7 @@
 //! quadrature at the certified estimates, derivatives by differences of them. The normal equations, the sum of squares and the
 //! standard errors have to hold for these.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -12,12 +13,14 @@ use mdr_core::contact::{Control, Material};
 use mdr_core::number::{Decimal, Precision, Real};
 use mdr_fit::{CertifiedFit, Fit, FittedRow, Observation, Problem};
 use mdr_numeric::contact::Contact;
+use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 use mdr_reference::{DataSet, Method, Record};
 use rug::Float;
 
 use crate::builder::{certified, status, three_digits};
 use crate::cases::number;
+use crate::patches::Patches;
 use crate::{DIGITS, Failure, RecordError, Result, float};
 
 /// The digits in which the second method works.
@@ -138,7 +141,8 @@ impl Known {
         let mut places: Vec<Place> = fit.rows.iter().map(|row| Place::of(row, fit, ctx)).collect();
         let rows: Vec<[Float; 2]> = problem.data().map(|row| row.map(|value| exact(ctx, value))).collect();
         let scales = (fit.distance == "orthogonal").then(|| fit.sigma.map(|sigma| exact(ctx, sigma)));
-        let model = Rows { shape: &self.shape, observation: problem.observation(), rows: &rows, scales };
+        let (observation, kept) = (problem.observation(), RefCell::default());
+        let model = Rows { shape: &self.shape, observation, rows: &rows, scales, kept };
         let residuals = model.residuals(&numbers, &mut places)?;
         let zero = || Float::from_int(ctx, 0);
         let rss = residuals.iter().fold(zero(), |sum, residual| sum + residual.square());
@@ -238,14 +242,19 @@ struct Rows<'a> {
     rows: &'a [[Float; 2]],
     /// σ_X and σ_Y of orthogonal distances.
     scales: Option<[Float; 2]>,
+    /// The last profile and its transform: most differences are of other numbers.
+    kept: RefCell<Option<(Shape<Float>, Arc<Kept>)>>,
 }
+
+/// A transform by quadrature, and what is kept of it.
+type Kept = Patches<Quadrature<Float, Heights<Float>>>;
 
 impl Rows<'_> {
     /// Curve minus datum of each row, at a fold in both directions; `places` are near those of the numbers, and become them.
     fn residuals(&self, numbers: &BTreeMap<String, Float>, places: &mut [Place]) -> Result<Vec<Float>> {
         let named = |name: &str| numbers.get(name).cloned();
-        let terms = vec![self.shape.try_map(|key, _| named(key).ok_or(Failure::Missing("number of the profile")))?];
-        let transform = Arc::new(Quadrature::of(terms)?);
+        let shape = self.shape.try_map(|key, _| named(key).ok_or(Failure::Missing("number of the profile")))?;
+        let transform = self.transform(shape)?;
         let required = |name| named(name).ok_or(Failure::Missing("modulus or work of adhesion"));
         let material = Material::new(required("e_star")?, required("work_of_adhesion")?)?;
         let control = Control::Indentation;
@@ -273,6 +282,17 @@ impl Rows<'_> {
             residuals.extend(self.residual(row, place, &at, &baseline)?);
         }
         Ok(residuals)
+    }
+
+    /// The transform of a profile, the kept one if that is the last profile.
+    fn transform(&self, shape: Shape<Float>) -> Result<Arc<Kept>> {
+        let mut kept = self.kept.borrow_mut();
+        if let Some((_, transform)) = kept.as_ref().filter(|(last, _)| *last == shape) {
+            return Ok(Arc::clone(transform));
+        }
+        let transform = Arc::new(Patches::new(Quadrature::of([shape.clone()])?));
+        kept.replace((shape, Arc::clone(&transform)));
+        Ok(transform)
     }
 
     fn residual(

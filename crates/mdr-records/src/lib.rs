@@ -34,6 +34,7 @@ mod loops_confirm;
 mod media;
 mod media_certificates;
 mod media_confirm;
+mod patches;
 mod profiles;
 mod sensitivity;
 mod threshold;

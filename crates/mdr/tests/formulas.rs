@@ -378,7 +378,7 @@ fn folds_that_are_not_proved_are_doubles() {
 #[test]
 fn proved_folds_have_the_digits_that_the_budget_allows() {
     let wave = formula("r^2/2 + 0.01*(1 - cos(20*r))", "output = { want = [\"folds\"], digits = 300 }");
-    let answer = solved_within(&wave, 1.05);
+    let answer = solved_within(&wave, 0.95);
     let folds = answer["folds"].as_array().unwrap();
     let digits =
         |fold: &Value| ["contact_radius", "indentation", "force"].map(|key| fold[key].as_str().expect("digits").len());

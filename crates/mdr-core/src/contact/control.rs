@@ -72,7 +72,7 @@ impl<N> Control<N> {
         })
     }
 
-    /// The same control with its stiffness in another form.
+    /// This control with its stiffness in another form.
     ///
     /// ```
     /// use mdr_core::contact::Control;

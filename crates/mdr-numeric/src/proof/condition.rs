@@ -82,7 +82,7 @@ pub struct CurveInDoubles {
 }
 
 impl CurveInDoubles {
-    /// The same contact in two arithmetics, whose numbers enclose those of the [curve](super::EnclosedCurve) that it helps.
+    /// A contact in two arithmetics, whose numbers enclose those of the [curve](super::EnclosedCurve) that it helps.
     pub fn new(plain: Contact<DoubleInterval>, dual: Contact<Dual<DoubleInterval>>) -> Self {
         CurveInDoubles { plain, dual }
     }

@@ -256,7 +256,7 @@ impl EnclosedCurve {
         in_doubles.map_or_else(|| self.signed_in_bits(a), Ok)
     }
 
-    /// The same without doubles.
+    /// The condition at a radius, with at least its sign, without the help of doubles.
     fn signed_in_bits(&self, a: &Interval) -> Result<Interval> {
         if self.is_by_integrals && a.is_point() {
             for share in AROUND {
