@@ -75,6 +75,28 @@ pub(super) fn behaviour<I: Ends>(
 
 /// A contact over intervals of doubles, and over such with derivatives: of most cells, and of most signs, they decide as much as many
 /// bits, and cost a tenth.
+///
+/// ```
+/// use std::sync::Arc;
+/// use mdr_core::contact::{Control, Material};
+/// use mdr_core::number::{Precision, Special};
+/// use mdr_numeric::{contact::Contact, proof::{CurveInDoubles, EnclosedCurve}, table::Table};
+/// use rug::Float;
+/// // Rows of a paraboloid with R = 1 m, E* = 1 Pa and w = 0.1 N/m, under a dead load.
+/// fn contact<R: Special>(ctx: R::Ctx) -> Result<Contact<R>, Box<dyn std::error::Error>> {
+///     let tip = Table::from_csv("r,f\n0,0\n1,0.5\n2,2\n3,4.5\n".as_bytes())?.profile::<R>(ctx)?;
+///     let material = Material::new(R::from_int(ctx, 1), R::from_int(ctx, 1).over(10))?;
+///     Ok(Contact::half_space(&Arc::new(tip), &material, &Control::Force))
+/// }
+/// let (bits, in_doubles) = (Precision::new(64), CurveInDoubles::new(contact(())?, contact(())?));
+/// let curve = EnclosedCurve::new(contact(bits)?, contact(bits)?).helped_by(Some(in_doubles));
+/// let proved = curve.folds(&Float::with_val(64, 0.01), &Float::with_val(64, 2.9), 1000)?;
+/// // The pull-off of JKR: F = −3πwR/2.
+/// assert!(proved.is_complete() && proved.folds.len() == 1);
+/// let force = proved.folds[0].force.mid().to_f64();
+/// assert!((force / (-0.15 * std::f64::consts::PI) - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone)]
 pub struct CurveInDoubles {
     plain: Contact<DoubleInterval>,
