@@ -65,3 +65,26 @@ fn a_long_table_has_its_events_and_its_energies() {
         }
     }
 }
+
+/// Doubles only help: folds of a table have the same digits where the modulus and the work of adhesion are beyond their range.
+#[test]
+fn folds_beyond_the_range_of_doubles_are_proved() {
+    let folds = |e_star: &str, work: &str| {
+        let text = format!(
+            "material = {{ e_star = \"{e_star}\", work_of_adhesion = \"{work}\" }}
+            profile = {{ kind = \"table\", file = \"tip.csv\" }}
+            control = {{ kind = \"indentation\" }}
+            output = {{ want = [\"folds\"], digits = 20 }}"
+        );
+        let rows = |_: &str| Ok(b"r,f\n0,0\n1e-8,5e-11\n2e-8,2e-10\n3e-8,4.5e-10\n5e-8,1.25e-9\n".to_vec());
+        let scene = Scene::from_toml(&text, "scene.toml", &rows).expect("a scene");
+        let answer = scene.solve().expect("an answer");
+        let answer: serde_json::Value = serde_json::from_str(&answer.to_json()).expect("JSON");
+        assert_eq!(answer["promise"]["folds"], "certified", "{answer}");
+        let folds = answer["folds"].as_array().expect("folds").iter();
+        folds.map(|fold| fold["contact_radius"].to_string()).collect::<Vec<_>>()
+    };
+    let within = folds("1", "1e-12");
+    assert_eq!(within.len(), 1);
+    assert_eq!(folds("1e400", "1e388"), within);
+}

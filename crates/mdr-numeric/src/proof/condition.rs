@@ -137,8 +137,10 @@ impl CurveInDoubles {
         let cell_in_doubles = DoubleInterval::around(cell);
         let over_cell = self.with_slope(cell_in_doubles)?;
         let at = |centre: &DoubleInterval| within_range(condition(&self.plain, centre));
+        // Where doubles leave their range nothing is said of the cell.
+        let is_wide = cell.accuracy_bits() < WIDE && over_cell.as_ref().is_some_and(|over| over.value.is_finite());
         let known = behaviour(over_cell, &cell_in_doubles, at)?;
-        Ok((known != Behaviour::Unknown || cell.accuracy_bits() < WIDE).then_some(known))
+        Ok((known != Behaviour::Unknown || is_wide).then_some(known))
     }
 
     /// The sign of the condition beside a kink, from bounds of g'.

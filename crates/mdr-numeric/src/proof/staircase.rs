@@ -63,7 +63,7 @@ impl Bounded {
         }
     }
 
-    /// The last number that is certainly within the profile.
+    /// The last number that is certainly within the profile. What is closer to its end than that, by a rounding of a double, has no cell.
     fn outer_radius(&self) -> Option<f64> {
         let [least, _] = match self {
             Bounded::InDoubles(transform) => ends_of(&transform.outer_radius()?),

@@ -36,7 +36,7 @@ pub(crate) struct Certified<'s> {
     left_open: OnceCell<Error>,
     admissibility: Once<Arc<Admissibility>>,
     formulas: Once<Option<Formulas>>,
-    in_doubles: Once<Option<CurveInDoubles>>,
+    in_doubles: OnceCell<Option<CurveInDoubles>>,
     /// An output of which a part is proved, for where nothing else has more of it.
     kept: RefCell<Option<Output>>,
 }
@@ -67,19 +67,18 @@ impl<'s> Certified<'s> {
         once(&self.formulas, || Ok(proof::decided(Formulas::of(&self.scene.profile))?.flatten())).map(Option::as_ref)
     }
 
-    /// The contact over intervals of doubles, which helps where an evaluation takes many operations: of a table; `None` of another profile.
-    ///
-    /// # Errors
-    /// A parameter of the profile or the material that is out of its domain.
-    pub(crate) fn curve_in_doubles(&self) -> Result<Option<&CurveInDoubles>> {
-        let found = once(&self.in_doubles, || {
-            let Some(table) = self.scene.table_on_half_space() else { return Ok(None) };
+    /// The contact over intervals of doubles, which helps where an evaluation takes many operations: of a table, unless its numbers leave
+    /// the range of doubles.
+    pub(crate) fn curve_in_doubles(&self) -> Option<&CurveInDoubles> {
+        let found = self.in_doubles.get_or_init(|| {
+            let table = self.scene.table_on_half_space()?;
             let weight = weight_in_doubles(&self.scene.profile);
-            let plain = counted(&self.scene.contact_of_table(table)?, &self.counts[Interval::INDEX], weight);
-            let dual = counted(&self.scene.contact_of_table(table)?, &self.counts[Dual::<Interval>::INDEX], 3 * weight);
-            Ok(Some(CurveInDoubles::new(plain, dual)))
+            let (plain, dual) = (self.scene.contact_of_table(table).ok()?, self.scene.contact_of_table(table).ok()?);
+            let plain = counted(&plain, &self.counts[Interval::INDEX], weight);
+            let dual = counted(&dual, &self.counts[Dual::<Interval>::INDEX], 3 * weight);
+            Some(CurveInDoubles::new(plain, dual))
         });
-        found.map(Option::as_ref)
+        found.as_ref()
     }
 
     /// Whether the energies of states can be enclosed: by closed forms, or for contacts that are discs by integrals over the profile.

@@ -43,7 +43,7 @@ impl Enclosed {
     /// A parameter of the profile or the material that is out of its domain.
     pub(crate) fn new(certified: &Certified<'_>, precision: Precision) -> Result<Self> {
         let (value, dual) = (certified.model(precision)?, certified.model(precision)?);
-        Ok(Enclosed { value, dual, in_doubles: certified.curve_in_doubles()?.cloned() })
+        Ok(Enclosed { value, dual, in_doubles: certified.curve_in_doubles().cloned() })
     }
 
     pub(crate) fn curve(&self) -> EnclosedCurve {
@@ -207,7 +207,7 @@ pub(super) fn gaps(certified: &Certified<'_>) -> Result<Option<EnclosedGaps>> {
     let weight = weight_of_height(&scene.profile, Interval::INDEX, ISOLATION);
     let gaps = EnclosedGaps::new(contact, profile)?.within(certified.counts[0].budget(), weight);
     if scene.is_short_table() {
-        return Ok(Some(gaps.by_staircases(certified.curve_in_doubles()?)));
+        return Ok(Some(gaps.by_staircases(certified.curve_in_doubles())));
     }
     let [lower, upper] = range(certified)?.ends.map(|end| enclosed.value.size(&end));
     let range = (lower?.lower().clone(), upper?.upper().clone());
