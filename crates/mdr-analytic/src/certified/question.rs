@@ -72,10 +72,7 @@ impl Question {
 
     /// The control over intervals.
     pub(super) fn control(&self, precision: Precision) -> Control<Interval> {
-        let enclose =
-            |stiffness: &Rational| Ok::<_, std::convert::Infallible>(Interval::from_rational(precision, stiffness));
-        let Ok(control) = self.control.try_map(enclose);
-        control
+        self.control.map(|stiffness| Interval::from_rational(precision, stiffness))
     }
 }
 

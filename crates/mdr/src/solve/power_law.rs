@@ -36,7 +36,7 @@ impl<'s> PowerLaw<'s> {
         let as_meant = |literal: &Literal| number(scene, literal);
         let Some([exponent, coefficient]) = scene.profile.exact_power_law(as_meant) else { return Ok(None) };
         let literal = |input: &Literal| exactly(&as_meant(input)).unwrap_or_else(|| input.clone());
-        let Ok(control) = scene.control.try_map(|stiffness| Ok::<_, std::convert::Infallible>(literal(stiffness)));
+        let control = scene.control.map(literal);
         let elasticity = Elasticity::Effective(literal(&scene.effective_modulus));
         let question =
             Question::new(&exponent, &coefficient, &elasticity, &literal(&scene.work_of_adhesion), &control)?;
