@@ -24,26 +24,22 @@ pub(super) fn of_path(
     contact: &Contact<Interval>,
     energy: &EnclosedEnergy<'_>,
 ) -> Result<PathNumbers<Enclosure>> {
-    let of_kind = |kind: fn(&Event<Interval>, &Contact<Interval>) -> bool| {
-        path.events.iter().filter(move |event| changes(event.kind) && kind(event, contact))
-    };
-    let finite = of_kind(|event, contact| !is_unbounded(event, contact));
+    let jumps = path.events.iter().filter(|event| changes(event.kind));
+    let (unbounded, finite): (Vec<_>, Vec<_>) = jumps.partition(|event| is_unbounded(event, contact));
     let lost_track = path.events.iter().any(|event| event.kind == EventKind::Undecided);
-    let has_balance = !lost_track && of_kind(is_unbounded).next().is_none();
-    let returns = returns(path, way);
+    let (has_balance, returns) = (unbounded.is_empty() && !lost_track, returns(path, way));
     // What is stored at the ends costs as much as at a jump.
     let ends = [path.events.first(), path.events.last()].into_iter().flatten().filter(|_| has_balance && !returns);
     let states: Vec<&ContactState<Interval>> =
-        finite.flat_map(|event| [&event.before, &event.after]).chain(ends.map(|event| &event.after)).collect();
+        finite.iter().flat_map(|event| [&event.before, &event.after]).chain(ends.map(|event| &event.after)).collect();
     let mut stored = energy.stored(&states)?.into_iter();
     let mut next = || stored.next().flatten();
-    let mut total = Some(StoredEnergy::default());
+    let mut total = has_balance.then(StoredEnergy::default);
     let mut events = Vec::new();
     for event in &path.events {
         let dissipated = if !changes(event.kind) {
             None
         } else if is_unbounded(event, contact) {
-            total = None;
             Some(Dissipation::Unbounded)
         } else {
             let [before, after] = [&event.before, &event.after].map(|state| match state {
@@ -67,7 +63,7 @@ pub(super) fn of_path(
         let [work, dissipated, stored] = [work, dissipated, stored].map(value);
         Balance { work, dissipated, stored, jumps: Optional(None), hysteresis: Optional(None) }
     });
-    Ok(PathNumbers { events, balance: balance.filter(|_| has_balance) })
+    Ok(PathNumbers { events, balance })
 }
 
 pub(super) fn value(sum: StoredEnergy) -> Value<Enclosure> {
