@@ -103,7 +103,7 @@ mod tests {
 
     use super::*;
 
-    /// Beside a radius values are those of the quadrature itself, and slopes of them too, to what differences leave.
+    /// Beside a radius values are those of the quadrature itself, and farther away a second patch is made.
     #[test]
     fn what_is_kept_is_what_the_quadrature_gives() -> Result<()> {
         let number = |text: &str| Float::with_val(110, Float::parse(text).expect("a number"));

@@ -39,13 +39,13 @@ pub fn verify(
 /// Whatever f and its slope return.
 pub fn verify_with(
     candidate: &Float,
-    near: &Interval,
+    slope_near: &Interval,
     mut f: impl FnMut(&Interval) -> Result<Interval>,
     mut slope: impl FnMut(&Interval) -> Result<Interval>,
 ) -> Result<Option<Interval>> {
     let point = Interval::point(candidate.clone());
     let value = f(&point)?;
-    let step = value.clone() / near;
+    let step = value.clone() / slope_near;
     let rounding = point.unit_roundoff().times(4) * point.abs();
     let radius = (Interval::abs(&step) + rounding).times(2);
     for growth in [1, 2, 4, 16, 256] {

@@ -3,12 +3,13 @@
 use std::cmp::Ordering;
 
 use mdr_core::calculus::isolate::Behaviour;
-use mdr_core::contact::{Control, Error, Result, Slopes};
+use mdr_core::contact::{Control, Error, Kink, Result, Slopes};
 use mdr_core::number::{DoubleInterval, Dual, Ends, Interval, Literal, Real};
 
+use super::kinks::share;
 use crate::contact::Contact;
 
-/// Cells with fewer bits of their radius in common are not undecided for the rounding of doubles.
+/// Bits that the radii of a cell have in common: with fewer, its width leaves it undecided, and not the rounding of doubles.
 const WIDE: i64 = 20;
 /// The most steps of Newton's method in doubles.
 const STEPS: u32 = 12;
@@ -50,7 +51,12 @@ pub(super) fn sign<R: Real>(contact: &Contact<R>, cell: &R, slopes: &Slopes<R>) 
     }
 }
 
-/// The behaviour of the condition on a cell, from its enclosure with a slope, either direct or in the mean-value form
+/// The signs of the condition below a kink and above it, at all radii of a cell around it.
+pub(super) fn signs<R: Real>(contact: &Contact<R>, around: &R, kink: &Kink<R>) -> [Option<Ordering>; 2] {
+    [&kink.inside, &kink.outside].map(|slopes| sign(contact, around, slopes))
+}
+
+/// The behaviour of a function on a cell, from its enclosure with a slope, either direct or in the mean-value form
 /// f(m) + f'(cell)(cell − m).
 pub(super) fn behaviour<I: Ends>(
     over_cell: Option<Dual<I>>,
@@ -73,8 +79,8 @@ pub(super) fn behaviour<I: Ends>(
     Ok(if mean_value.is_some_and(|value| !value.has_zero()) { Behaviour::Nonzero } else { Behaviour::Unknown })
 }
 
-/// A contact over intervals of doubles, and over such with derivatives: of most cells, and of most signs, they decide as much as many
-/// bits, and cost a tenth.
+/// A contact over intervals of doubles, and over such intervals with derivatives: they decide most signs, and what happens on most cells,
+/// as well as many bits do, and cost less.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -89,7 +95,7 @@ pub(super) fn behaviour<I: Ends>(
 ///     Ok(Contact::half_space(&Arc::new(tip), &material, &Control::Force))
 /// }
 /// let (bits, in_doubles) = (Precision::new(64), CurveInDoubles::new(contact(())?, contact(())?));
-/// let curve = EnclosedCurve::new(contact(bits)?, contact(bits)?).helped_by(Some(in_doubles));
+/// let curve = EnclosedCurve::new(contact(bits)?, contact(bits)?).with_doubles(Some(in_doubles));
 /// let proved = curve.folds(&Float::with_val(64, 0.01), &Float::with_val(64, 2.9), 1000)?;
 /// // The pull-off of JKR: F = −3πwR/2.
 /// assert!(proved.is_complete() && proved.folds.len() == 1);
@@ -110,7 +116,7 @@ impl CurveInDoubles {
     }
 
     /// The contact over intervals of doubles.
-    pub fn plain(&self) -> &Contact<DoubleInterval> {
+    pub(super) fn plain(&self) -> &Contact<DoubleInterval> {
         &self.plain
     }
 
@@ -143,9 +149,15 @@ impl CurveInDoubles {
         Ok((known != Behaviour::Unknown || is_wide).then_some(known))
     }
 
-    /// The sign of the condition beside a kink, from bounds of g'.
-    pub(super) fn sign(&self, cell: &Interval, slopes: &Slopes<DoubleInterval>) -> Option<Ordering> {
-        sign(&self.plain, &DoubleInterval::around(cell), slopes)
+    /// The signs of the condition below a kink and above it, up to a relative distance 2^−margin; `None` if nothing is known of the kink.
+    pub(super) fn signs_beside_kink(
+        &self,
+        index: usize,
+        around: &Interval,
+        margin: u32,
+    ) -> Result<Option<[Option<Ordering>; 2]>> {
+        let kink = within_range(self.plain.transform().kink(index, &share(self.plain.modulus(), margin)))?;
+        Ok(kink.map(|kink| signs(&self.plain, &DoubleInterval::around(around), &kink)))
     }
 
     /// A place near the zero in a cell where the condition is monotone, by Newton's method from its middle; `None` where that leads
@@ -169,7 +181,7 @@ impl CurveInDoubles {
 }
 
 /// What doubles know: nothing where they leave their range, or where the profile does not reach.
-pub(super) fn within_range<T>(result: Result<Option<T>>) -> Result<Option<T>> {
+fn within_range<T>(result: Result<Option<T>>) -> Result<Option<T>> {
     match result {
         Err(error) if error.is_interruption() => Err(error),
         result => Ok(result.ok().flatten()),

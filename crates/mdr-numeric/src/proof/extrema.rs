@@ -5,6 +5,7 @@ use mdr_core::contact::{Error, Result, Slopes, Transform};
 use mdr_core::number::{Dual, Interval, Real};
 use rug::Float;
 
+use super::condition::behaviour;
 use super::ends::FAR;
 use super::{EnclosedCurve, kinks};
 
@@ -104,20 +105,9 @@ impl EnclosedCurve {
             over => over?,
         };
         // On a flat g' is nothing everywhere.
-        if !over.value.contains_zero() || over.value == over.value.lit(0) {
+        if over.value.vanishes() {
             return Ok(Behaviour::Nonzero);
         }
-        if !over.slope.is_finite() {
-            return Ok(Behaviour::Unknown);
-        }
-        let centre = cell.midpoint();
-        let mean_value = self.slope_of_g(&centre)? + over.slope.clone() * (cell.clone() - &centre);
-        Ok(if !mean_value.contains_zero() {
-            Behaviour::Nonzero
-        } else if !over.slope.contains_zero() {
-            Behaviour::Monotone
-        } else {
-            Behaviour::Unknown
-        })
+        behaviour(Some(over), cell, |centre| self.slope_of_g(centre).map(Some))
     }
 }

@@ -7,7 +7,7 @@ use mdr_core::number::{Ends, Interval, Real};
 use rug::Float;
 use rug::float::Special;
 
-use super::condition::{sign, within_range};
+use super::condition::signs;
 use super::{EnclosedCurve, ProvedCell, ProvedFolds, Trend};
 use crate::contact::Contact;
 
@@ -32,23 +32,30 @@ struct Known {
     signs: (Ordering, Option<Ordering>),
 }
 
-/// The kinks, followed by the vertical edge, and the index of that.
+/// The kinks, followed by the vertical edge if there is one.
 struct Radii {
-    kinks: Vec<Interval>,
-    edge: usize,
+    all: Vec<Interval>,
+    /// The number of kinks, which is the index of the vertical edge.
+    kinks: usize,
+}
+
+impl Radii {
+    fn is_vertical_edge(&self, index: usize) -> bool {
+        index == self.kinks
+    }
 }
 
 impl EnclosedCurve {
     /// The intervals around all kinks in (lower, upper), and around the vertical edge if it is there.
     pub(super) fn gaps(&self, lower: &Float, upper: &Float) -> Result<Vec<Gap>> {
-        let Radii { kinks, edge } = self.radii();
+        let radii = self.radii();
         let mut gaps: Vec<Gap> = Vec::new();
-        for (index, kink) in kinks.iter().enumerate() {
+        for (index, kink) in radii.all.iter().enumerate() {
             let repeated = gaps.last().is_some_and(|gap| gap.radius == *kink);
             let from = gaps.last().map_or(lower, |gap| &gap.after);
-            let next = kinks[index + 1..].iter().find(|next| *next != kink).map(Interval::lower);
+            let next = radii.all[index + 1..].iter().find(|next| *next != kink).map(Interval::lower);
             let to = next.filter(|next| *next < upper).unwrap_or(upper);
-            if !repeated && let Some(gap) = self.neighbourhood((index, edge), kink, from, to)? {
+            if !repeated && let Some(gap) = self.neighbourhood(&radii, index, from, to)? {
                 gaps.push(gap);
             }
         }
@@ -72,23 +79,17 @@ impl EnclosedCurve {
     }
 
     fn radii(&self) -> Radii {
-        let mut kinks = self.plain.transform().kinks();
-        let edge = kinks.len();
-        kinks.extend(self.plain.vertical_edge());
-        Radii { kinks, edge }
+        let mut all = self.plain.transform().kinks();
+        let kinks = all.len();
+        all.extend(self.plain.vertical_edge());
+        Radii { all, kinks }
     }
 
     /// The widest neighbourhood within (from, to) on which both signs are certain, or else the narrowest. `None` if the
     /// kink itself is not there.
-    fn neighbourhood(
-        &self,
-        (index, edge): (usize, usize),
-        kink: &Interval,
-        from: &Float,
-        to: &Float,
-    ) -> Result<Option<Gap>> {
+    fn neighbourhood(&self, radii: &Radii, index: usize, from: &Float, to: &Float) -> Result<Option<Gap>> {
+        let (kink, is_edge) = (&radii.all[index], radii.is_vertical_edge(index));
         let mut narrowest = None;
-        let is_edge = index == edge;
         for margin in MARGINS {
             let before = shifted(kink.lower(), -1, margin);
             let after = if is_edge { kink.upper().clone() } else { shifted(kink.upper(), 1, margin) };
@@ -96,7 +97,7 @@ impl EnclosedCurve {
             if !(before > *from && reached) {
                 continue;
             }
-            let known = self.known((index, edge), kink, margin)?;
+            let known = self.known(radii, index, margin)?;
             let decided = known.is_some();
             narrowest = Some(Gap { before, after, radius: kink.clone(), known });
             if decided {
@@ -107,23 +108,20 @@ impl EnclosedCurve {
     }
 
     /// What is known beside a kink, if the signs of the condition on both sides of it are certain: in doubles, if they tell enough.
-    fn known(&self, (index, edge): (usize, usize), radius: &Interval, margin: u32) -> Result<Option<Known>> {
+    fn known(&self, radii: &Radii, index: usize, margin: u32) -> Result<Option<Known>> {
+        let radius = &radii.all[index];
         let around = radius.clone().inflate(&(share(radius, margin) * radius));
-        let decided = |below: Option<Ordering>, above: Option<Ordering>| match (below?, above) {
-            (below, _) if index == edge => Some((below, None)),
-            (below, above) => Some((below, Some(above?))),
+        let known = |[below, above]: [Option<Ordering>; 2]| {
+            let above = if radii.is_vertical_edge(index) { None } else { Some(above?) };
+            Some(Known { index, margin, signs: (below?, above) })
         };
-        if let Some(doubles) = &self.in_doubles
-            && let Some(kink) =
-                within_range(doubles.plain().transform().kink(index, &share(doubles.plain().modulus(), margin)))?
-            && let Some(signs) = decided(doubles.sign(&around, &kink.inside), doubles.sign(&around, &kink.outside))
-        {
-            return Ok(Some(Known { index, margin, signs }));
+        let in_doubles = self.ask_doubles(|doubles| doubles.signs_beside_kink(index, &around, margin))?;
+        if let Some(decided) = in_doubles.and_then(known) {
+            return Ok(Some(decided));
         }
         let Some(kink) = self.kink(index, margin)? else { return Ok(None) };
-        let below = sign(&self.plain, &around, &kink.inside);
-        let above = sign(&self.plain, &around, &kink.outside).or_else(|| self.rises_beyond_flat(&kink));
-        Ok(decided(below, above).map(|signs| Known { index, margin, signs }))
+        let [below, above] = signs(&self.plain, &around, &kink);
+        Ok(known([below, above.or_else(|| self.rises_beyond_flat(&kink))]))
     }
 
     fn kink(&self, index: usize, margin: u32) -> Result<Option<Kink<Interval>>> {
@@ -159,13 +157,13 @@ impl EnclosedCurve {
 
     /// The state of the fold in this precision, if it is at a kink or at the vertical edge.
     pub(super) fn fold_at_kink(&self, fold: &Fold<Interval>) -> Result<Option<Fold<Interval>>> {
-        let Radii { kinks, edge } = self.radii();
-        for (index, radius) in kinks.iter().enumerate() {
+        let radii = self.radii();
+        for (index, radius) in radii.all.iter().enumerate() {
             if !radius.overlaps(&fold.contact_radius) {
                 continue;
             }
             for margin in MARGINS {
-                let Some(known) = self.known((index, edge), radius, margin)? else { continue };
+                let Some(known) = self.known(&radii, index, margin)? else { continue };
                 if let Some(kind) = known.fold()
                     && let Some((g, mean)) = self.value_at(&known)?
                 {
@@ -230,7 +228,7 @@ fn pole(radius: Interval, kind: FoldKind) -> Fold<Interval> {
 }
 
 /// 2^−margin.
-fn share<R: Real>(like: &R, margin: u32) -> R {
+pub(super) fn share<R: Real>(like: &R, margin: u32) -> R {
     like.lit(2).powi(-i64::from(margin))
 }
 

@@ -113,8 +113,13 @@ impl EnclosedCurve {
 
     /// With the same contact in doubles, which decide what needs few digits: for a profile whose g takes many operations, as a table.
     #[must_use]
-    pub fn helped_by(self, in_doubles: Option<CurveInDoubles>) -> Self {
+    pub fn with_doubles(self, in_doubles: Option<CurveInDoubles>) -> Self {
         EnclosedCurve { in_doubles, ..self }
+    }
+
+    /// What doubles know; `None` without them.
+    fn ask_doubles<T>(&self, ask: impl FnOnce(&CurveInDoubles) -> Result<Option<T>>) -> Result<Option<T>> {
+        self.in_doubles.as_ref().map_or(Ok(None), ask)
     }
 
     /// The contact over enclosures.
@@ -252,8 +257,7 @@ impl EnclosedCurve {
 
     /// The condition at a radius, with at least its sign.
     fn signed_condition(&self, a: &Interval) -> Result<Interval> {
-        let in_doubles = self.in_doubles.as_ref().map(|doubles| doubles.signed_condition(a)).transpose()?.flatten();
-        in_doubles.map_or_else(|| self.signed_in_bits(a), Ok)
+        self.ask_doubles(|doubles| doubles.signed_condition(a))?.map_or_else(|| self.signed_in_bits(a), Ok)
     }
 
     /// The condition at a radius, with at least its sign, without the help of doubles.
@@ -290,8 +294,7 @@ impl EnclosedCurve {
 
     /// The behaviour on a cell, in doubles if they tell enough.
     fn behaviour(&self, cell: &Interval) -> Result<Behaviour> {
-        let in_doubles = self.in_doubles.as_ref().map(|doubles| doubles.behaviour(cell)).transpose()?.flatten();
-        match in_doubles {
+        match self.ask_doubles(|doubles| doubles.behaviour(cell))? {
             Some(known) => Ok(known),
             None => behaviour(Some(self.with_slope(cell)?), cell, |centre| self.signed_in_bits(centre).map(Some)),
         }
@@ -302,8 +305,8 @@ impl EnclosedCurve {
         let mut cell = self.promoted(cell);
         // Newton converges from nearly any cell that isolates a simple zero; halving leads to such a cell.
         for _ in 0..cell.precision() {
-            let (candidate, near) = self.approached(&cell)?;
-            if let Some(zero) = verify_with(&candidate, &near, |a| self.condition(a), |a| self.slope(a))?
+            let (candidate, slope) = self.approached(&cell)?;
+            if let Some(zero) = verify_with(&candidate, &slope, |a| self.condition(a), |a| self.slope(a))?
                 && let Some(common) = zero.intersect(&cell)
                 && (cell.encloses(&zero) || !self.slope(&zero.hull(&cell))?.contains_zero())
             {
@@ -319,7 +322,7 @@ impl EnclosedCurve {
     /// A place near the zero in a cell, by steps of Newton's method from its middle until half of the digits are known, and a slope beside
     /// it: a proof takes few evaluations where it succeeds and many where it does not. The middle, where a step leads out of the cell.
     fn approached(&self, cell: &Interval) -> Result<(Float, Interval)> {
-        let in_doubles = self.in_doubles.as_ref().map(|doubles| doubles.approached(cell)).transpose()?.flatten();
+        let in_doubles = self.ask_doubles(|doubles| doubles.approached(cell))?;
         let mut place = in_doubles.map_or_else(|| cell.mid(), |place| Float::with_val(cell.precision(), place));
         let mut slope = None;
         for _ in 0..APPROACHES {

@@ -91,7 +91,7 @@ fn folds_are_the_same_with_doubles() {
         assert!(proved.is_complete(), "{:?}", proved.undecided);
         proved.folds.iter().map(|fold| fold.kind).collect::<Vec<_>>()
     };
-    let (helped, alone) = (folds(in_bits(64).helped_by(Some(in_doubles()))), folds(in_bits(64)));
+    let (helped, alone) = (folds(in_bits(64).with_doubles(Some(in_doubles()))), folds(in_bits(64)));
     assert_eq!(trends(&helped), trends(&alone));
     assert!(helped.folds.len() > 3, "{}", helped.folds.len());
     for (one, other) in helped.folds.iter().zip(&alone.folds) {

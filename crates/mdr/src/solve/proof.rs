@@ -47,7 +47,7 @@ impl Enclosed {
     }
 
     pub(crate) fn curve(&self) -> EnclosedCurve {
-        EnclosedCurve::new(self.value.contact(), self.dual.contact()).helped_by(self.in_doubles.clone())
+        EnclosedCurve::new(self.value.contact(), self.dual.contact()).with_doubles(self.in_doubles.clone())
     }
 
     /// The curve under a controlled force, whose folds are those of F.
@@ -64,7 +64,7 @@ impl Enclosed {
     fn curve_under(&self, control: &Control<Literal>) -> EnclosedCurve {
         let (value, dual) = (self.value.under(control), self.dual.under(control));
         let in_doubles = self.in_doubles.as_ref().map(|curve| curve.under(control));
-        EnclosedCurve::new(value, dual).helped_by(in_doubles)
+        EnclosedCurve::new(value, dual).with_doubles(in_doubles)
     }
 }
 
