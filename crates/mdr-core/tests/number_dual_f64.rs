@@ -48,3 +48,17 @@ fn constants_have_no_slope() {
         assert_eq!(constant.slope, 0.0);
     }
 }
+
+/// Both at once are the two numbers that each gives by itself, at tiny and huge arguments too, and so are their slopes of two orders.
+#[test]
+fn sine_and_cosine_at_once_are_those_alone() {
+    let large = (0..2000).map(|i| 0.37 * 1.02_f64.powi(i - 1000));
+    for x in large.flat_map(|x| [x, -x]).chain([0.0, -0.0, 5e-324, f64::MAX]) {
+        let (sin, cos) = x.sin_and_cos();
+        assert_eq!([sin, cos].map(f64::to_bits), [Special::sin(&x), Special::cos(&x)].map(f64::to_bits), "{x}");
+        let twice = Dual::variable(Dual::variable(x));
+        let parts = |f: Dual<Dual<f64>>| [f.value.value, f.value.slope, f.slope.value, f.slope.slope].map(f64::to_bits);
+        let (sin, cos) = twice.sin_and_cos();
+        assert_eq!([sin, cos].map(parts), [twice.sin(), twice.cos()].map(parts), "{x}");
+    }
+}

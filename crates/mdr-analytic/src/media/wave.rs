@@ -151,7 +151,7 @@ impl<R: Special> JohnsonWave<R> {
             return Err(Error::domain(FLAW, &c, "below half of the wavelength"));
         }
         let angle = c.pi() * &c / &self.wavelength;
-        let (sine, cosine) = (angle.sin(), angle.cos());
+        let (sine, cosine) = angle.sin_and_cos();
         let mut state = self.at(angle.pi().over(2) - &angle, cosine.square(), sine.square(), cosine / sine);
         let elongation = self.alpha.clone() * state.tangent.sqrt();
         state.set_pressure(state.share.clone() - &elongation, state.rest.clone() + elongation);
@@ -173,7 +173,7 @@ impl<R: Special> JohnsonWave<R> {
         if !(*angle > angle.lit(0) && *angle < angle.pi().over(2)) {
             return Err(Error::domain(ANGLE, angle, "between 0 and π/2"));
         }
-        let (sine, cosine) = (angle.sin(), angle.cos());
+        let (sine, cosine) = angle.sin_and_cos();
         Ok(self.at(angle.clone(), sine.square(), cosine.square(), sine / cosine))
     }
 

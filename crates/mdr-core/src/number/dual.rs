@@ -31,38 +31,45 @@ const FAR: f64 = 300.0;
 
 impl<R: Real> Dual<R> {
     /// The independent variable at `value`: slope one.
+    #[inline]
     pub fn variable(value: R) -> Self {
         let slope = value.lit(1);
         Dual { value, slope }
     }
 
     /// A constant: slope zero.
+    #[inline]
     pub fn constant(value: R) -> Self {
         let slope = value.lit(0);
         Dual { value, slope }
     }
 
     /// A function of this number, from its value and its derivative there (the chain rule).
+    #[inline]
     pub fn chain(&self, value: R, derivative: R) -> Self {
         Dual { value, slope: derivative * &self.slope }
     }
 }
 
 impl<R: Special> Lift<R> for Dual<R> {
+    #[inline]
     fn lift(constant: &R) -> Self {
         Dual::constant(constant.clone())
     }
 
+    #[inline]
     fn value_of(&self) -> R {
         self.value.clone()
     }
 }
 
 impl<R: Special> Lift<R> for Dual<Dual<R>> {
+    #[inline]
     fn lift(constant: &R) -> Self {
         Dual::constant(Dual::constant(constant.clone()))
     }
 
+    #[inline]
     fn value_of(&self) -> R {
         self.value.value.clone()
     }
@@ -82,6 +89,7 @@ impl<R: Real> PartialOrd for Dual<R> {
 
 impl<R: Real> Neg for Dual<R> {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Dual { value: -self.value, slope: -self.slope }
     }
@@ -97,6 +105,7 @@ impl<R: Real> Inv for Dual<R> {
 }
 
 impl<R: Real> AddAssign<&Self> for Dual<R> {
+    #[inline]
     fn add_assign(&mut self, other: &Self) {
         self.value += &other.value;
         if !other.slope.vanishes() {
@@ -106,6 +115,7 @@ impl<R: Real> AddAssign<&Self> for Dual<R> {
 }
 
 impl<R: Real> SubAssign<&Self> for Dual<R> {
+    #[inline]
     fn sub_assign(&mut self, other: &Self) {
         self.value -= &other.value;
         if !other.slope.vanishes() {
@@ -116,6 +126,7 @@ impl<R: Real> SubAssign<&Self> for Dual<R> {
 
 impl<R: Real> MulAssign<&Self> for Dual<R> {
     /// A constant factor scales the slope, and two constants have none: fewer products, and none of zero with what is out of range.
+    #[inline]
     fn mul_assign(&mut self, other: &Self) {
         if !self.slope.vanishes() {
             self.slope *= &other.value;
@@ -128,6 +139,7 @@ impl<R: Real> MulAssign<&Self> for Dual<R> {
 }
 
 impl<R: Real> DivAssign<&Self> for Dual<R> {
+    #[inline]
     fn div_assign(&mut self, other: &Self) {
         self.value /= &other.value;
         if !other.slope.vanishes() {
@@ -144,9 +156,11 @@ operators_from_assigning! { [R: Real] Dual<R> }
 impl<R: Real> Real for Dual<R> {
     type Ctx = R::Ctx;
 
+    #[inline]
     fn ctx(&self) -> R::Ctx {
         self.value.ctx()
     }
+    #[inline]
     fn from_int(ctx: R::Ctx, value: i64) -> Self {
         Dual::constant(R::from_int(ctx, value))
     }
@@ -156,15 +170,18 @@ impl<R: Real> Real for Dual<R> {
     fn from_literal(ctx: R::Ctx, literal: &Literal) -> Self {
         Dual::constant(R::from_literal(ctx, literal))
     }
+    #[inline]
     fn vanishes(&self) -> bool {
         self.value.vanishes() && self.slope.vanishes()
     }
     fn pi(&self) -> Self {
         Dual::constant(self.value.pi())
     }
+    #[inline]
     fn times(self, k: i64) -> Self {
         Dual { value: self.value.times(k), slope: self.slope.times(k) }
     }
+    #[inline]
     fn over(self, k: i64) -> Self {
         Dual { value: self.value.over(k), slope: self.slope.over(k) }
     }
@@ -181,9 +198,11 @@ impl<R: Real> Real for Dual<R> {
             self.chain(value, sign)
         }
     }
+    #[inline]
     fn square(&self) -> Self {
         self.chain(self.value.square(), self.value.clone().times(2))
     }
+    #[inline]
     fn sqrt(&self) -> Self {
         let root = self.value.sqrt();
         let derivative = root.clone().times(2).inv();
@@ -270,10 +289,16 @@ impl<R: Real> Real for Dual<R> {
 
 impl<R: Special> Special for Dual<R> {
     fn sin(&self) -> Self {
-        self.chain(self.value.sin(), self.value.cos())
+        let (sin, cos) = self.value.sin_and_cos();
+        self.chain(sin, cos)
     }
     fn cos(&self) -> Self {
-        self.chain(self.value.cos(), -self.value.sin())
+        let (sin, cos) = self.value.sin_and_cos();
+        self.chain(cos, -sin)
+    }
+    fn sin_and_cos(&self) -> (Self, Self) {
+        let (sin, cos) = self.value.sin_and_cos();
+        (self.chain(sin.clone(), cos.clone()), self.chain(cos, -sin))
     }
     fn atan(&self) -> Self {
         let derivative = (self.value.lit(1) + self.value.square()).inv();

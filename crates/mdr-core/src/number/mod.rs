@@ -11,6 +11,7 @@ macro_rules! operators_from_assigning {
     ([$($generics:tt)*] $type:ty: $operator:ident $method:ident $assign:ident) => {
         impl<$($generics)*> $operator<&Self> for $type {
             type Output = Self;
+            #[inline]
             fn $method(mut self, other: &Self) -> Self {
                 self.$assign(other);
                 self
@@ -18,6 +19,7 @@ macro_rules! operators_from_assigning {
         }
         impl<$($generics)*> $operator for $type {
             type Output = Self;
+            #[inline]
             fn $method(self, other: Self) -> Self {
                 self.$method(&other)
             }

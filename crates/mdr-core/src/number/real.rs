@@ -66,16 +66,19 @@ pub trait Real:
     fn from_literal(ctx: Self::Ctx, literal: &Literal) -> Self;
 
     /// The integer `value` in the precision of `self`.
+    #[inline]
     fn lit(&self, value: i64) -> Self {
         Self::from_int(self.ctx(), value)
     }
 
     /// Whether it is certainly this integer.
+    #[inline]
     fn is_integer(&self, value: i64) -> bool {
         *self == self.lit(value)
     }
 
     /// Whether it is certainly zero; a dual number, with a slope that is.
+    #[inline]
     fn vanishes(&self) -> bool {
         self.is_integer(0)
     }
@@ -196,6 +199,11 @@ pub trait Special: Real {
     fn sin(&self) -> Self;
     /// cos self.
     fn cos(&self) -> Self;
+    /// [sin](Special::sin) and [cos](Special::cos), the same two numbers for little more than one of them costs in doubles.
+    #[inline]
+    fn sin_and_cos(&self) -> (Self, Self) {
+        (self.sin(), self.cos())
+    }
     /// arctan self.
     fn atan(&self) -> Self;
     /// arcsin self, for |self| ≤ 1.

@@ -75,7 +75,7 @@ pub fn state_on_graded<R: Special>(curve: &Contact<R>, stress: &R, a: &R) -> Res
             .collect();
         let whole = tanh_sinh_pieces(&a.lit(0), &angle.pow(&order), &breaks, tolerance(), |v| {
             let phi = v.pow(&order.clone().inv()).lesser(&angle);
-            let (sine, cosine) = (phi.sin(), phi.cos());
+            let (sine, cosine) = phi.sin_and_cos();
             let shape = if sine > a.lit(0) { (cosine.clone() / &sine * &phi).pow(&k) } else { a.lit(1) };
             let rise = transform.g(&(cosine * &outer).greater(&a))? - &edge;
             Ok((rise + (top.clone() - sine.pow(&order)) * &pull) * shape)

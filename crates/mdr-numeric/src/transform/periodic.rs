@@ -97,7 +97,7 @@ impl<R: Special, P: Profile<R>> Periodic<R, P> {
         let tolerance = Tolerance::new(&goal).or_noise_below(b.unit_roundoff().sqrt());
         let quarter = b.pi().over(2);
         tanh_sinh_pieces(&zero, &quarter, &breaks, tolerance, |phi| {
-            let (up, across) = (phi.sin(), phi.cos());
+            let (up, across) = phi.sin_and_cos();
             let position = up.clone() * &sine;
             let open = (across.square() + (cosine.clone() * &up).square()).sqrt();
             let x = (position.clone() / &open).atan() * &self.wavelength / b.pi();
