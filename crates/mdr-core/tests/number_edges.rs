@@ -299,3 +299,23 @@ fn duals_over_intervals_claim_nothing_unproved() {
     assert!(twice.value.slope.is_finite() && twice.slope.value.is_finite() && !twice.slope.slope.is_finite());
     assert_eq!(Dual::variable(3.0).inflate(&Dual::constant(1.0)).slope, 1.0);
 }
+
+/// Beside a maximum or minimum of sin and cos the sign of the derivative is known however near the interval comes, and however far out it is.
+#[test]
+fn an_extremum_is_seen_however_narrow_the_interval() {
+    let ctx = Precision::new(320);
+    for turns in [0_i64, 1, -2, 3, 1001, -333_334, 700_001, 9_000_002, 1 << 40] {
+        let extremum = Interval::from_int(ctx, turns).pi() * &Interval::from_int(ctx, turns).over(2);
+        for bits in [-8, -29, -30, -31, -33, -34, -60, -200] {
+            let width = Interval::from_int(ctx, 2).powi(bits);
+            let [below, above] = [extremum.clone() - &width, extremum.clone() + &width];
+            let image = |x: &Interval| if turns % 2 == 0 { x.cos() } else { x.sin() };
+            let across = image(&below.hull(&above));
+            let size = |x: &Interval| x.lower().clone().abs().max(&x.upper().clone().abs());
+            assert_eq!(size(&across), 1, "{turns} quarter turns, 2^{bits}");
+            // From the extremum to twice the width: of one side alone.
+            let beside = image(&above.hull(&(above.clone() + &width)));
+            assert!(size(&beside) < 1 || bits < -150, "{turns} quarter turns, 2^{bits}");
+        }
+    }
+}
