@@ -19,6 +19,15 @@ static WHOLE: LazyLock<(VerifyReport, usize)> = LazyLock::new(|| {
     (report, told.into_inner())
 });
 
+/// A control of `fault_detection.rs`; `mdr verify` runs many more cases.
+#[test]
+fn without_a_fault_every_check_passes() {
+    for row in &WHOLE.0.rows {
+        assert_eq!(row.verdict, CheckVerdict::Pass, "{}", row.check);
+    }
+    assert!(WHOLE.0.failures.is_empty());
+}
+
 #[test]
 fn shards_make_the_whole_bit_for_bit() {
     // In reverse order: the order of the lines must not matter.
