@@ -21,7 +21,7 @@ fn caught(fault: Fault) -> Option<(&'static str, usize)> {
     rows.find(|&(row, cases)| !watched(&closed, row, cases).passed())
 }
 
-/// And each row that catches one passes without it, over the cases in which it does.
+/// Each row that catches a fault passes without it over the same cases.
 #[test]
 fn every_fault_is_caught() {
     let faults: Vec<Fault> = faults().collect();

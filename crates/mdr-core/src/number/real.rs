@@ -199,7 +199,7 @@ pub trait Special: Real {
     fn sin(&self) -> Self;
     /// cos self.
     fn cos(&self) -> Self;
-    /// [sin](Special::sin) and [cos](Special::cos), the same two numbers for little more than one of them costs in doubles.
+    /// [sin](Special::sin) and [cos](Special::cos) at once: the same two numbers, and in doubles for little more than one of them costs.
     #[inline]
     fn sin_and_cos(&self) -> (Self, Self) {
         (self.sin(), self.cos())

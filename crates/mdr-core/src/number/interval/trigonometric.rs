@@ -71,7 +71,7 @@ const NEAR: f64 = 1_048_576.0;
 /// Above all that a double and the value there are off by: 2⁻³⁰.
 const CERTAIN: f64 = 1.0 / 1_073_741_824.0;
 
-/// The sign of sin or cos: that at the nearest double where it is certain, a twentieth of the work; else from the function itself.
+/// The sign of sin or cos: that of its value at the nearest double where that is certain, else that of the value itself.
 fn sign(x: &Float, in_doubles: impl Fn(f64) -> f64, exact: impl Fn(&Float) -> Float) -> Ordering {
     let nearest = x.to_f64();
     let value = in_doubles(nearest);
