@@ -15,7 +15,7 @@ use crate::number::{Real, Special};
 const LARGEST: i32 = 1 << 17;
 
 impl Interval {
-    /// The image under sin or cos, from the function and the order of its derivative at a point and 0.
+    /// The image under sin or cos, from the function and, at a point, the sign of its derivative.
     ///
     /// Over less than half a turn the derivative changes its sign at most once, over less than a whole turn at least
     /// once and at most twice: its signs just inside the two ends decide which.
@@ -68,7 +68,7 @@ impl Interval {
 const SIGN_BITS: u32 = 32;
 /// Up to here the nearest double is within 2⁻³³ of a number, and sin and cos move by no more.
 const NEAR: f64 = 1_048_576.0;
-/// Above all that a double and the value there are off by: 2⁻³⁰.
+/// A value there that is larger than this, 2⁻³⁰, has the sign of the value at the number.
 const CERTAIN: f64 = 1.0 / 1_073_741_824.0;
 
 /// The sign of sin or cos: that of its value at the nearest double where that is certain, else that of the value itself.
