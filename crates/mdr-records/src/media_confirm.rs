@@ -97,7 +97,7 @@ fn line_threshold(x: &[Float], value: &Float) -> Result<bool> {
 /// P and H at ψ: P from the stress intensity at the edge, and H from the displacement by the kernel, 1 − H = u(0) in the middle of the
 /// contact, u = −(2/π)∫q ln|2 sin S| dS, where √s sin θ = sin S and q dS = (P + s cos 2θ) dθ.
 fn state<R: Special>(alpha: &R, angle: &R) -> Result<(R, R)> {
-    let (sine, cosine) = (angle.sin(), angle.cos());
+    let (sine, cosine) = angle.sin_and_cos();
     let share = sine.square();
     let pressure = share.clone() - alpha.clone() * (sine.clone() / cosine).sqrt();
     let zero = angle.lit(0);

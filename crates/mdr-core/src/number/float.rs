@@ -31,18 +31,6 @@ impl Real for f64 {
         literal.nearest_f64()
     }
     #[inline]
-    fn lit(&self, value: i64) -> f64 {
-        value as f64
-    }
-    #[inline]
-    fn is_integer(&self, value: i64) -> bool {
-        *self == value as f64
-    }
-    #[inline]
-    fn vanishes(&self) -> bool {
-        *self == 0.0
-    }
-    #[inline]
     fn pi(&self) -> f64 {
         std::f64::consts::PI
     }

@@ -118,7 +118,7 @@ pub(super) fn states<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R
     trial.compare("κ", &trial.closed.wave_compliance(&wave, &k)?, &(unit / &k / &h), 20.0);
 
     let [found, gap] = trial.closed.wave_state(&wave, &angle)?;
-    let (sine, cosine) = (angle.sin(), angle.cos());
+    let (sine, cosine) = angle.sin_and_cos();
     let elongation = wave.alpha().clone() * (sine.clone() / &cosine).sqrt();
     let scale = sine.square() + &elongation;
     trial.compare_on("P", &found, &(sine.square() - &elongation), &scale, 24.0);
@@ -265,7 +265,7 @@ fn losses<R: Arithmetic>(
     // In χ = π/2 − ψ: G/w = tan χ (s − P)²/α², s = cos²χ.
     let far = fold.angle.pi().over(2) - &fold.angle;
     let integral = tanh_sinh(&far.lit(0), &far, &goal, |chi| {
-        let (sine, cosine) = (chi.sin(), chi.cos());
+        let (sine, cosine) = chi.sin_and_cos();
         let rate = (cosine.square() - &fold.pressure).square() * sine / cosine;
         Ok(square.clone() - rate)
     })?;

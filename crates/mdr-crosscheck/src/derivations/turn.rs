@@ -66,7 +66,7 @@ fn midpoint(integrand: &Formula, point: &SamplePoint, end: End, left: &Interval,
 
 /// The integrand at a distance from an end.
 fn at<R: Level>(integrand: &Formula, point: &SamplePoint, end: End, distance: R) -> Option<R> {
-    let (sine, cosine) = (distance.sin(), distance.cos());
+    let (sine, cosine) = distance.sin_and_cos();
     let values = match end {
         End::Left => [("sinθ", sine), ("cosθ", cosine), ("θ", distance)],
         End::Right => [("sinθ", cosine), ("cosθ", sine), ("θ", distance.pi().over(2) - &distance)],

@@ -172,7 +172,7 @@ impl<R: Special> Fields<R> {
     /// cos X[∫ F₀'/√(s − sin²X) ds/s' − SΔl/√(s − sin²X)] of a strip in each period, with X = πx/λ and s = sin²(πa/λ).
     fn periodic_pressure(&self, modulus: &R, wavelength: &R, r: &R) -> Result<Estimate<R>> {
         let position = crate::medium::phase(r, wavelength);
-        let (sine, cosine) = (position.sin(), position.cos());
+        let (sine, cosine) = position.sin_and_cos();
         let reach = (self.closed(wavelength) - sine.square()).sqrt();
         let bulk = integrate(&r.lit(0), &reach, &[], |y| {
             let share = (sine.square() + y.square()).greater(&(y.unit_roundoff().square() * &reach));
@@ -185,7 +185,7 @@ impl<R: Special> Fields<R> {
     /// (2λ/π)[∫ F₀' arcosh(sinX/√s) ds/s' + SΔl arcosh(sinX/√s)]/E* beside a strip.
     fn periodic_gap(&self, wavelength: &R, r: &R) -> Result<Estimate<R>> {
         let position = crate::medium::phase(r, wavelength);
-        let (sine, cosine) = (position.sin(), position.cos());
+        let (sine, cosine) = position.sin_and_cos();
         let closed = self.closed(wavelength);
         // In u² = sin²X − s, where arcosh is smooth.
         let width = (sine.square() - &closed).sqrt();

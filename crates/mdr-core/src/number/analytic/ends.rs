@@ -170,7 +170,7 @@ impl<I: Ends> Analytic for I {
         defined(Real::ln(self))
     }
     fn sin_cos(&self) -> (Self, Self) {
-        (Special::sin(self), Special::cos(self))
+        self.sin_and_cos()
     }
     fn sinh_cosh(&self) -> (Self, Self) {
         (Special::sinh(self), Special::cosh(self))
