@@ -68,6 +68,8 @@ mod contact;
 mod critical;
 pub mod double;
 mod hysteresis;
+#[cfg(debug_assertions)]
+mod instances;
 mod inverse;
 mod jump;
 mod kappa;

@@ -67,6 +67,8 @@ pub mod equilibrium;
 pub mod fields;
 pub mod folds;
 pub mod function;
+#[cfg(debug_assertions)]
+mod instances;
 pub mod medium;
 pub mod path;
 pub mod profiles;
