@@ -6,6 +6,7 @@
 //! first two corrects that to the rounding of g and Δl, which is what a search leaves.
 
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 
 use mdr_core::contact::{Control, Equilibrium, Error, Result, Stability};
 
@@ -15,7 +16,9 @@ use crate::equilibrium::SearchedBranches;
 
 /// Coefficients of a polynomial, in powers of an argument between −1 and 1.
 const TERMS: usize = 10;
-type Polynomial = [f64; TERMS];
+type Coefficients = [f64; TERMS];
+/// The coefficients by pairs, of an even and of an odd power: two polynomials in t² that are evaluated side by side.
+type Polynomial = [[f64; 2]; TERMS / 2];
 
 /// How close to a fold the table begins, relative to its radius: whether a value is that of the fold is left to the search.
 const FROM_FOLD: f64 = 1.0 / 4096.0;
@@ -35,6 +38,8 @@ const ROUGH: f64 = 1e-9;
 const CHECKS: [f64; 4] = [-1.0, -0.31, 0.52, 1.0];
 /// Evaluations of g that a piece takes.
 const COST: usize = 2 * (TERMS + CHECKS.len());
+/// Values that a pass takes at once.
+const AT_ONCE: usize = 32;
 /// The share of a distance by which a value is certainly beyond a fold.
 const CERTAIN: f64 = 1e-9;
 
@@ -79,6 +84,13 @@ struct Piece {
     excess: Polynomial,
 }
 
+/// The argument t of a value before it is corrected, and its rate of change with the value.
+#[derive(Clone, Copy)]
+struct Rough {
+    t: f64,
+    rate: f64,
+}
+
 /// A contact radius from an argument t: s = middle + half·t, or b + s² beyond a kink b.
 #[derive(Clone, Copy)]
 struct Chart {
@@ -92,7 +104,7 @@ struct Chart {
 struct Measure {
     origin: Origin,
     middle: f64,
-    half: f64,
+    scale: f64,
 }
 
 /// Where the radius has a root as a function of the value.
@@ -154,11 +166,41 @@ impl TabulatedBranch {
 
     /// The state at a value; `None` outside of the table, and where g is no polynomial to its rounding.
     pub fn at(&self, value: f64) -> Option<Equilibrium<f64>> {
+        let piece = self.piece(value)?;
+        piece.state(&self.curve, value, piece.rough(value))
+    }
+
+    /// Passes on the state at each value, as [`at`](TabulatedBranch::at) has it, until `take` breaks off. At many values a processor
+    /// works on several at once.
+    pub fn at_each<B>(
+        &self,
+        values: &[f64],
+        mut take: impl FnMut(f64, Option<Equilibrium<f64>>) -> ControlFlow<B>,
+    ) -> ControlFlow<B> {
+        // In each pass no value waits for another.
+        for values in values.chunks(AT_ONCE) {
+            let mut pieces = [None; AT_ONCE];
+            let mut rough = [Rough { t: 0.0, rate: 0.0 }; AT_ONCE];
+            let mut states = [const { None }; AT_ONCE];
+            pieces.iter_mut().zip(values).for_each(|(piece, value)| *piece = self.piece(*value));
+            for ((rough, piece), value) in rough.iter_mut().zip(pieces).zip(values) {
+                *rough = piece.map_or(*rough, |piece: &Piece| piece.rough(*value));
+            }
+            for (((state, piece), rough), value) in states.iter_mut().zip(pieces).zip(rough).zip(values) {
+                *state = piece.and_then(|piece| piece.state(&self.curve, *value, rough));
+            }
+            values.iter().zip(states).try_for_each(|(value, state)| take(*value, state))?;
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// The piece with a value.
+    fn piece(&self, value: f64) -> Option<&Piece> {
         if !(value <= self.end) {
             return None;
         }
         let index = self.starts.partition_point(|start| *start <= value).checked_sub(1)?;
-        self.pieces.get(index)?.as_ref()?.state(&self.curve, value)
+        self.pieces.get(index)?.as_ref()
     }
 
     /// The largest value of the table.
@@ -276,7 +318,7 @@ impl Builder<'_> {
             _ => Origin::Nowhere,
         };
         let [low, high] = [first, last].map(|value| origin.measure(value).0);
-        let measure = Measure { origin, middle: 0.5 * (low + high), half: 0.5 * (high - low) };
+        let measure = Measure { origin, middle: 0.5 * (low + high), scale: 2.0 / (high - low) };
         let inverse = through(&values.map(|value| measure.of(value).0), &nodes);
         let piece = Piece { chart, measure, inverse, indentation: fit(&indentation), excess: fit(&excess) };
         for t in CHECKS {
@@ -312,13 +354,20 @@ struct Sample {
 }
 
 impl Piece {
-    /// The state at a value within the piece.
-    fn state(&self, curve: &Contact<f64>, value: f64) -> Option<Equilibrium<f64>> {
+    /// The argument of a value within the piece, roughly.
+    #[inline]
+    fn rough(&self, value: f64) -> Rough {
         let (measured, rate) = self.measure.of(value);
         let (t, turn) = horner(&self.inverse, measured);
+        Rough { t, rate: turn * rate }
+    }
+
+    /// The state at a value within the piece.
+    #[inline]
+    fn state(&self, curve: &Contact<f64>, value: f64, Rough { t, rate }: Rough) -> Option<Equilibrium<f64>> {
         let ((depth, depth_rate), (excess, excess_rate)) = (horner(&self.indentation, t), horner(&self.excess, t));
         let rough = curve.stiffness(&self.chart.radius(t)) * excess;
-        let step = (value - curve.control().controlled(&depth, &rough)) * turn * rate;
+        let step = (value - curve.control().controlled(&depth, &rough)) * rate;
         let contact_radius = self.chart.radius(t + step);
         let stiffness = curve.stiffness(&contact_radius);
         let (indentation, force) = (depth + depth_rate * step, stiffness * (excess + excess_rate * step));
@@ -340,7 +389,7 @@ impl Piece {
             let rounding = f64::EPSILON * self.chart.radius(t) * (slope / self.chart.rate(t)).abs();
             (value - number).abs() <= noise + rounding
         };
-        let rough = horner(&self.inverse, self.measure.of(sample.value).0).0;
+        let rough = self.rough(sample.value).t;
         near(&self.indentation, sample.indentation) && near(&self.excess, sample.excess) && (rough - t).abs() <= ROUGH
     }
 }
@@ -367,7 +416,7 @@ impl Measure {
     #[inline]
     fn of(&self, value: f64) -> (f64, f64) {
         let (measure, rate) = self.origin.measure(value);
-        ((measure - self.middle) / self.half, rate / self.half)
+        ((measure - self.middle) * self.scale, rate * self.scale)
     }
 }
 
@@ -391,11 +440,22 @@ impl Origin {
 /// A polynomial and its derivative.
 #[inline]
 fn horner(coefficients: &Polynomial, t: f64) -> (f64, f64) {
-    coefficients.iter().rev().fold((0.0, 0.0), |(value, slope), c| (value * t + c, slope * t + value))
+    let squared = t * t;
+    let ([mut even, mut odd], [mut even_slope, mut odd_slope]) = ([0.0; 2], [0.0; 2]);
+    for [even_next, odd_next] in coefficients.iter().rev() {
+        (even_slope, odd_slope) = (even_slope * squared + even, odd_slope * squared + odd);
+        (even, odd) = (even * squared + even_next, odd * squared + odd_next);
+    }
+    (even + t * odd, odd + 2.0 * t * (even_slope + t * odd_slope))
+}
+
+/// The coefficients of even and of odd powers.
+fn by_pairs(coefficients: &Coefficients) -> Polynomial {
+    std::array::from_fn(|i| [coefficients[2 * i], coefficients[2 * i + 1]])
 }
 
 /// The polynomial through values at −cos(π(i + 1/2)/TERMS).
-fn fit(values: &Polynomial) -> Polynomial {
+fn fit(values: &Coefficients) -> Polynomial {
     // The roundings are those of differences.
     let base = values[TERMS / 2];
     let term = |k: usize| {
@@ -415,11 +475,11 @@ fn fit(values: &Polynomial) -> Polynomial {
         (this, next) = (next, after);
     }
     total[0] += base;
-    total
+    by_pairs(&total)
 }
 
 /// The polynomial that has these values at these arguments.
-fn through(arguments: &Polynomial, values: &Polynomial) -> Polynomial {
+fn through(arguments: &Coefficients, values: &Coefficients) -> Polynomial {
     let mut quotients = *values;
     for order in 1..TERMS {
         for i in (order..TERMS).rev() {
@@ -434,5 +494,5 @@ fn through(arguments: &Polynomial, values: &Polynomial) -> Polynomial {
         total = std::array::from_fn(|i| raised[i] + shifted[i]);
         total[0] += quotient;
     }
-    total
+    by_pairs(&total)
 }

@@ -1,5 +1,7 @@
 //! A tabulated branch against the search on it, which knows no polynomial.
 
+use std::ops::ControlFlow;
+
 use mdr_core::contact::{Control, Equilibrium, Flank, Result, Shape};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact::Contact;
@@ -120,5 +122,30 @@ fn a_table_that_costs_too_much_is_none() -> Result<()> {
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 0.2] {
         assert!(table.at(value).is_none());
     }
+    Ok(())
+}
+
+#[test]
+fn many_states_at_once_are_those_of_each_value() -> Result<()> {
+    let ball = Quadrature::of([Shape::Sphere { radius: 1.0 }])?;
+    let contact = Contact::new(ball, Medium::half_space(1.0)?, Adhesion::new(1e-3)?, Control::Force);
+    let branches = SearchedBranches::new(contact)?;
+    let table = TabulatedBranch::new(&branches, 1, [-1e-2, 0.1], 100_000)?.expect("a table");
+    let beside = [f64::NAN, f64::INFINITY, -1.0, 0.2, table.end()];
+    let values: Vec<f64> = (0..1000).map(|i| -1e-2 + 1.2e-4 * f64::from(i)).chain(beside).collect();
+    for count in [0, 1, 31, 32, 33, values.len()] {
+        let mut states = Vec::new();
+        let all = table.at_each(&values[values.len() - count..], |_, state| {
+            states.push(state);
+            ControlFlow::<()>::Continue(())
+        });
+        assert!(all.is_continue());
+        let each: Vec<_> = values[values.len() - count..].iter().map(|value| table.at(*value)).collect();
+        assert_eq!(states, each);
+    }
+    assert!(values.iter().filter(|value| table.at(**value).is_some()).count() > 800);
+    let stopped = table
+        .at_each(&values, |value, _| if value < 0.05 { ControlFlow::Continue(()) } else { ControlFlow::Break(value) });
+    assert_eq!(stopped.break_value(), values.iter().copied().find(|value| !(*value < 0.05)));
     Ok(())
 }

@@ -90,19 +90,23 @@ impl ContactColumns {
         let mut states = States::with_capacity(values.len().min(BLOCK));
         for block in values.chunks(BLOCK) {
             states.clear();
-            for value in block {
-                let tabulated = tables.as_ref().map_or(Ok(Found::Open), |tables| tables.first(&order, *value))?;
+            let mut enter = |value: f64, tabulated: Found| {
                 let found = match tabulated {
                     Found::State(state, status) => Ok(Some((state, status))),
                     Found::Nothing => Ok(None),
-                    Found::Open => stable(branches, &order, value),
+                    Found::Open => stable(branches, &order, &value),
                 };
                 let (numbers, status) = match found {
-                    Ok(Some((state, status))) => (self.numbers(&state, branches.control(), *value), status),
+                    Ok(Some((state, status))) => (self.numbers(&state, branches.control(), value), status),
                     Ok(None) => ([f64::NAN; 3], nothing(branches)),
                     Err(error) => ([f64::NAN; 3], status_of(error)?),
                 };
                 states.push(numbers, status);
+                Ok(())
+            };
+            match &tables {
+                Some(tables) => tables.first_of_each(&order, block, enter)?,
+                None => block.iter().try_for_each(|value| enter(*value, Found::Open))?,
             }
             take(&states);
         }

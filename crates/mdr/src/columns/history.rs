@@ -103,10 +103,11 @@ impl ContactColumns {
             match &mut last {
                 Some(path::ContactState::Contact(rest)) => {
                     let branch = branches.folds().partition_point(|fold| fold.contact_radius < rest.contact_radius);
-                    let known = tables.branch(branch)?;
-                    while let Some((value, state)) = values.get(done).and_then(|v| Some((*v, known?.admissible(*v)?))) {
-                        history.states.push(self.numbers(&state, control, value), Status::Ok);
-                        (*rest, done) = (state, done + 1);
+                    if let Some(known) = tables.branch(branch)? {
+                        known.admissible(&values[done..], |value, state| {
+                            history.states.push(self.numbers(&state, control, value), Status::Ok);
+                            (*rest, done) = (state, done + 1);
+                        });
                     }
                 }
                 Some(apart @ path::ContactState::Detached) => {

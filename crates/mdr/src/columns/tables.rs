@@ -1,6 +1,7 @@
 //! Tables of stable branches, in place of a search for each of many values.
 
 use std::cell::OnceCell;
+use std::ops::ControlFlow;
 
 use mdr_core::contact::{Equilibrium, Result, Status};
 use mdr_numeric::admissible::GapVerdict;
@@ -88,6 +89,33 @@ impl<'b> Tables<'b> {
         Ok(Found::Nothing)
     }
 
+    /// Passes on what [`Tables::first`] finds at each value, in less time.
+    ///
+    /// # Errors
+    /// Errors of the transform that do not concern one radius, and of `take`.
+    pub(super) fn first_of_each(
+        &self,
+        order: &[usize],
+        values: &[f64],
+        mut take: impl FnMut(f64, Found) -> Result<()>,
+    ) -> Result<()> {
+        let known = order.first().map_or(Ok(None), |branch| self.branch(*branch))?;
+        let Some(known) = known else {
+            return values.iter().try_for_each(|value| take(*value, self.first(order, *value)?));
+        };
+        let stopped = known.table.at_each(values, |value, state| {
+            let found = match state {
+                Some(state) if known.admits(&state) => Ok(Found::State(state, Status::Ok)),
+                _ => self.first(order, value),
+            };
+            match found.and_then(|found| take(value, found)) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(error) => ControlFlow::Break(error),
+            }
+        });
+        stopped.break_value().map_or(Ok(()), Err)
+    }
+
     fn verdict(&self, state: &Equilibrium<f64>) -> GapVerdict {
         self.branches.admissibility().of(state.contact_radius, state.indentation)
     }
@@ -99,8 +127,14 @@ impl Known {
         state.contact_radius <= self.admitted
     }
 
-    /// The state at a value, if it is known to be admissible.
-    pub(super) fn admissible(&self, value: f64) -> Option<Equilibrium<f64>> {
-        self.table.at(value).filter(|state| self.admits(state))
+    /// Passes on the states at these values, up to the first that is not known to be admissible.
+    pub(super) fn admissible(&self, values: &[f64], mut take: impl FnMut(f64, Equilibrium<f64>)) {
+        let _ = self.table.at_each(values, |value, state| match state.filter(|state| self.admits(state)) {
+            Some(state) => {
+                take(value, state);
+                ControlFlow::Continue(())
+            }
+            None => ControlFlow::Break(()),
+        });
     }
 }
