@@ -2,7 +2,7 @@
 //!
 //! In a development build a generic function is compiled by the first crate that calls it with some types, and the
 //! crates above share the result. Calling it here has it optimised as this crate is, so that the crates above can do
-//! without optimisation. A release shares nothing, and leaves this module out.
+//! without optimisation. A release shares nothing, and leaves this module out; so do unit tests.
 
 use mdr_core::contact::{Result, Shape, Transform};
 use mdr_core::number::Dual;

@@ -68,7 +68,7 @@ mod contact;
 mod critical;
 pub mod double;
 mod hysteresis;
-#[cfg(debug_assertions)]
+#[cfg(all(debug_assertions, not(test)))]
 mod instances;
 mod inverse;
 mod jump;

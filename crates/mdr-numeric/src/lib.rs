@@ -67,7 +67,7 @@ pub mod equilibrium;
 pub mod fields;
 pub mod folds;
 pub mod function;
-#[cfg(debug_assertions)]
+#[cfg(all(debug_assertions, not(test)))]
 mod instances;
 pub mod medium;
 pub mod path;
