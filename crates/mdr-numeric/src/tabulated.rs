@@ -363,8 +363,8 @@ impl Piece {
     #[inline]
     fn state(&self, curve: &Contact<f64>, value: f64, Rough { t, rate }: Rough) -> Option<Equilibrium<f64>> {
         let ((depth, depth_rate), (excess, excess_rate)) = (horner(&self.indentation, t), horner(&self.excess, t));
-        let rough = curve.stiffness(&self.chart.radius(t)) * excess;
-        let step = (value - curve.control().controlled(&depth, &rough)) * rate;
+        let force = curve.stiffness(&self.chart.radius(t)) * excess;
+        let step = (value - curve.control().controlled(&depth, &force)) * rate;
         let contact_radius = self.chart.radius(t + step);
         let stiffness = curve.stiffness(&contact_radius);
         let (indentation, force) = (depth + depth_rate * step, stiffness * (excess + excess_rate * step));

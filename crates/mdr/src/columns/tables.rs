@@ -76,14 +76,8 @@ impl<'b> Tables<'b> {
     pub(super) fn first(&self, order: &[usize], value: f64) -> Result<Found> {
         for branch in order {
             let Some(known) = self.branch(*branch)? else { return Ok(Found::Open) };
-            match known.table.at(value) {
-                Some(state) if known.admits(&state) => return Ok(Found::State(state, Status::Ok)),
-                Some(state) => {
-                    let interpenetrates = matches!(self.verdict(&state), GapVerdict::Interpenetrating { .. });
-                    return Ok(Found::State(state, if interpenetrates { Status::NotAdmissible } else { Status::Ok }));
-                }
-                None if known.table.is_beyond(value) => {}
-                None => return Ok(Found::Open),
+            if let Some(found) = self.on(known, value, known.table.at(value)) {
+                return Ok(found);
             }
         }
         Ok(Found::Nothing)
@@ -104,16 +98,25 @@ impl<'b> Tables<'b> {
             return values.iter().try_for_each(|value| take(*value, self.first(order, *value)?));
         };
         let stopped = known.table.at_each(values, |value, state| {
-            let found = match state {
-                Some(state) if known.admits(&state) => Ok(Found::State(state, Status::Ok)),
-                _ => self.first(order, value),
-            };
+            let found = self.on(known, value, state).map_or_else(|| self.first(&order[1..], value), Ok);
             match found.and_then(|found| take(value, found)) {
                 Ok(()) => ControlFlow::Continue(()),
                 Err(error) => ControlFlow::Break(error),
             }
         });
         stopped.break_value().map_or(Ok(()), Err)
+    }
+
+    /// What the table of one branch tells of a value, at which it has this state; `None` if the branch ends before the value.
+    fn on(&self, known: &Known, value: f64, state: Option<Equilibrium<f64>>) -> Option<Found> {
+        match state {
+            Some(state) if known.admits(&state) => Some(Found::State(state, Status::Ok)),
+            Some(state) => {
+                let interpenetrates = matches!(self.verdict(&state), GapVerdict::Interpenetrating { .. });
+                Some(Found::State(state, if interpenetrates { Status::NotAdmissible } else { Status::Ok }))
+            }
+            None => (!known.table.is_beyond(value)).then_some(Found::Open),
+        }
     }
 
     fn verdict(&self, state: &Equilibrium<f64>) -> GapVerdict {
