@@ -68,8 +68,6 @@ mod contact;
 mod critical;
 pub mod double;
 mod hysteresis;
-#[cfg(all(debug_assertions, not(test)))]
-mod instances;
 mod inverse;
 mod jump;
 mod kappa;

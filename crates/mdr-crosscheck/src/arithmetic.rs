@@ -1,12 +1,11 @@
 //! The two arithmetics of the cases: f64 and rug floats.
 
-use mdr_analytic::Kappa;
-use mdr_analytic::struve::Struve;
+use mdr_analytic::profiles::ClosedReal;
 use mdr_core::number::{Gamma, Lift, Precision};
 use rug::Float;
 
 /// An arithmetic in which closed forms and the numerical route both run.
-pub(crate) trait Arithmetic: Kappa + Struve + Gamma + Lift<Self> {
+pub(crate) trait Arithmetic: ClosedReal + Gamma + Lift<Self> {
     /// As the reports call it.
     const NAME: &'static str;
 

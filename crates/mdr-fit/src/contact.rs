@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use mdr::contact::GradedReal;
-use mdr_analytic::Kappa;
-use mdr_analytic::struve::Struve;
+use mdr::contact::ProfileReal;
 use mdr_core::contact::{Control, Edge, Result, Transform};
 use mdr_core::number::{Dual, Literal, Real, Special};
 use mdr_numeric::contact::Input;
@@ -136,14 +134,14 @@ pub(super) struct Tip<R: Real> {
     seeded: Vec<(usize, DualTransform<R>)>,
 }
 
-impl<R: Struve + Kappa + GradedReal> Tip<R> {
+impl<R: ProfileReal> Tip<R> {
     /// With derivatives with respect to the numbers of these indices.
     ///
     /// # Errors
     /// A number out of its domain.
     pub(super) fn new(problem: &Problem, ctx: R::Ctx, numbers: &[R], free: &[usize]) -> Result<Self>
     where
-        Dual<R>: Struve + Kappa + GradedReal + Real<Ctx = R::Ctx>,
+        Dual<R>: ProfileReal + Real<Ctx = R::Ctx>,
     {
         let (profile, medium) = (&problem.profile, &problem.medium);
         let dual = |index: Option<usize>| {
@@ -292,7 +290,7 @@ pub(super) struct Contact<'t, R: Real> {
     pub(super) pinned: Option<Vec<(Kind, R)>>,
 }
 
-impl<'t, R: Struve + Kappa + GradedReal> Contact<'t, R> {
+impl<'t, R: ProfileReal> Contact<'t, R> {
     pub(super) fn new(tip: &'t Tip<R>, numbers: Numbers<R>, observation: Observation) -> Self {
         let edge = tip.transform.outer_radius().filter(|_| tip.transform.vertical_edge());
         Contact { tip, numbers, observation, edge, direction: None, pinned: None }

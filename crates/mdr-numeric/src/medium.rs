@@ -258,6 +258,7 @@ impl<R: Real> Medium<R> {
     }
 
     /// S = dF/dd, the stiffness of a contact whose size is fixed: in N/m, per length in Pa, per area in Pa/m.
+    #[inline]
     pub fn stiffness(&self, a: &R) -> R {
         match self {
             Medium::HalfSpace { modulus } => (a.clone() * modulus).times(2),

@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use mdr::prelude::{Arithmetic, Elasticity, Literal, Profile, Scene, Shape, Want};
 use mdr::{Answer, critical};
-use mdr_analytic::profiles::{Sum, closed_form};
-use mdr_analytic::struve::Struve;
+use mdr_analytic::profiles::{ClosedReal, closed_form};
 use mdr_analytic::{Kappa, PowerLaw, PowerLawContact as Law};
 use mdr_core::contact::{self, Control, Error, Material, Quantity};
 use mdr_core::number::{Precision, Real};
@@ -135,10 +134,11 @@ impl<R: Real> Model<R> {
     /// The result of `f` for the curve of equilibria of the closed form.
     pub(crate) fn closed<T>(self, f: impl FnOnce(&Contact<R>) -> contact::Result<T>) -> contact::Result<T>
     where
-        R: Struve + Kappa,
+        R: ClosedReal,
     {
         let terms = self.terms.into_iter().map(closed_form).collect::<contact::Result<_>>()?;
-        f(&Contact::half_space(&Arc::new(Sum::new(terms)), &self.material, &self.control))
+        let sum = Arc::from(R::sum(terms));
+        f(&Contact::sharing(sum, (&self.material).into(), (&self.material).into(), self.control))
     }
 
     /// The power law.

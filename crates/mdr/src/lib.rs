@@ -187,7 +187,7 @@ pub mod contact {
     pub use mdr_numeric::path;
     pub use mdr_numeric::transform::{LineLoad, Powers, Quadrature, Wave, Weighted, graded_kappa};
 
-    pub use crate::scene::SceneReal;
+    pub use crate::scene::{ProfileReal, SceneReal};
     pub use crate::solve::GradedReal;
 }
 

@@ -127,6 +127,31 @@ fn digits_of_a_function_are_refused() {
     }
 }
 
+/// The error of a quadrature is estimated, so that enclosures have none: they are refused, with the remedy. By rigorous integrals
+/// the scene encloses what f64 has.
+#[cfg(feature = "mp")]
+#[test]
+fn a_quadrature_is_refused_over_enclosures() {
+    use mdr_core::number::{Dual, Interval, Precision, Real};
+    fn transformed<R: mdr::contact::ProfileReal>(ctx: R::Ctx) -> Result<R, mdr::ContactError> {
+        let formula = Profile::Formula(Formula::new("r^2/(1 + r)", [].into()).expect("a formula"));
+        formula.transform::<R>(ctx, &mut |literal| R::from_literal(ctx, literal))?.g(&R::from_f64(ctx, 0.5))
+    }
+    let precision = Precision::new(100);
+    let refusals = [transformed::<Interval>(precision).err(), transformed::<Dual<Interval>>(precision).err()];
+    for refusal in refusals {
+        let refusal = refusal.expect("no enclosure").to_string();
+        assert!(refusal.contains("quadrature") && refusal.contains("f64"), "{refusal}");
+    }
+    let scene = on_rubber(Formula::new("r^2/(1 + r)", [].into()).expect("a formula"));
+    let enclosed = scene.contact_in::<Interval>(precision).expect("a contact");
+    let enclosed = enclosed.transform().g(&Interval::from_f64(precision, 0.5)).expect("an enclosure");
+    let values = [transformed::<f64>(()), transformed::<rug::Float>(precision).map(|value| value.approx())];
+    for value in values.map(|value| value.expect("a number")) {
+        assert!((enclosed.approx() / value - 1.0).abs() < 1e-14, "{enclosed:?} {value}");
+    }
+}
+
 /// A function is no formula in what is said of its states.
 #[test]
 fn doubts_about_a_function_name_a_function() {

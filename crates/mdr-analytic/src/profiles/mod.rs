@@ -37,7 +37,7 @@ pub mod wavy;
 pub use capped::*;
 pub use concave::*;
 pub use punch::*;
-pub use shape::closed_form;
+pub use shape::{ClosedReal, closed_form};
 pub use smooth::*;
 pub use sum::Sum;
 pub use wavy::*;

@@ -1,12 +1,15 @@
 //! The closed form of a shape by its name.
 
 use mdr_core::contact::{Error, Quantity, Result, Shape, Transform};
+use mdr_core::number::Dual;
+#[cfg(feature = "mp")]
+use mdr_core::number::Interval;
 
-use super::{capped, concave, punch, smooth, wavy};
+use super::{Sum, capped, concave, punch, smooth, wavy};
 use crate::struve::Struve;
 use crate::{Kappa, PowerLaw};
 
-/// The transformed profile g of a shape of the library, in any arithmetic.
+/// The transformed profile g of a shape of the library, in any arithmetic that has it.
 ///
 /// ```
 /// use mdr_analytic::profiles::closed_form;
@@ -18,7 +21,78 @@ use crate::{Kappa, PowerLaw};
 ///
 /// # Errors
 /// [`Error::Domain`](mdr_core::contact::Error::Domain) for a parameter outside its domain.
-pub fn closed_form<R: Struve + Kappa>(shape: Shape<R>) -> Result<Box<dyn Transform<R>>> {
+pub fn closed_form<R: ClosedReal>(shape: Shape<R>) -> Result<Box<dyn Transform<R>>> {
+    R::closed_form(shape)
+}
+
+/// An arithmetic that has the closed forms of the library: `f64`, numbers of any precision, enclosures, and dual numbers over
+/// them.
+///
+/// The closed forms are generic, and are compiled in this crate for each of these arithmetics: what calls them through this
+/// trait does not compile them again.
+///
+/// ```
+/// use mdr_analytic::profiles::{ClosedReal, closed_form};
+/// use mdr_core::contact::{Shape, Transform};
+/// use mdr_core::number::Dual;
+/// // The curvature of g = x²/R is 2/R.
+/// fn curvature<R: ClosedReal>(radius: R, at: R) -> mdr_core::contact::Result<R>
+/// where
+///     Dual<R>: ClosedReal,
+/// {
+///     let ball = closed_form(Shape::Paraboloid { radius: Dual::constant(radius) })?;
+///     Ok(ball.slope(&Dual::variable(at))?.slope)
+/// }
+/// assert_eq!(curvature(4.0, 0.3)?, 0.5);
+/// # Ok::<(), mdr_core::contact::Error>(())
+/// ```
+pub trait ClosedReal: Struve + Kappa {
+    /// The transformed profile g of a shape of the library.
+    ///
+    /// # Errors
+    /// [`Error::Domain`](mdr_core::contact::Error::Domain) for a parameter outside its domain.
+    fn closed_form(shape: Shape<Self>) -> Result<Box<dyn Transform<Self>>> {
+        by_module(shape)
+    }
+
+    /// The [`Sum`] of transforms.
+    fn sum(terms: Vec<Box<dyn Transform<Self>>>) -> Box<dyn Transform<Self>> {
+        Box::new(Sum::new(terms))
+    }
+}
+
+/// `ClosedReal` with functions that are not generic, which only this crate compiles.
+macro_rules! compiled {
+    ($($arithmetic:ty),*) => {$(
+        impl ClosedReal for $arithmetic {
+            fn closed_form(shape: Shape<Self>) -> Result<Box<dyn Transform<Self>>> {
+                by_module(shape)
+            }
+
+            fn sum(terms: Vec<Box<dyn Transform<Self>>>) -> Box<dyn Transform<Self>> {
+                Box::new(Sum::new(terms))
+            }
+        }
+    )*};
+}
+
+compiled!(f64, Dual<f64>);
+#[cfg(all(feature = "mp", not(debug_assertions)))]
+compiled!(rug::Float, Dual<rug::Float>, Interval, Dual<Interval>, Dual<Dual<Interval>>);
+
+/// `ClosedReal` with generic functions. Development builds share what is generic, and the crates above compile it faster, as they
+/// do without optimisation.
+#[cfg(all(feature = "mp", debug_assertions))]
+macro_rules! generic {
+    ($($arithmetic:ty),*) => {$(
+        impl ClosedReal for $arithmetic {}
+    )*};
+}
+
+#[cfg(all(feature = "mp", debug_assertions))]
+generic!(rug::Float, Dual<rug::Float>, Interval, Dual<Interval>, Dual<Dual<Interval>>);
+
+fn by_module<R: Struve + Kappa>(shape: Shape<R>) -> Result<Box<dyn Transform<R>>> {
     if let Shape::Power { n, c } = shape {
         return Ok(Box::new(PowerLaw::new(n, c)?));
     }

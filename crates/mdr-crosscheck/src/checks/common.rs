@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use mdr_analytic::Kappa;
-use mdr_analytic::struve::Struve;
+use mdr_analytic::profiles::ClosedReal;
 use mdr_core::contact::{Error, Fold, Material, Profile, Quantity, Result, Shape, Transform};
 use mdr_core::number::{Lift, Literal, Real, Special};
 use mdr_numeric::profiles::Heights;
@@ -278,7 +277,7 @@ impl<R: Real> Drawn<R> {
     }
 
     /// The closed form, over numbers in which R is a constant.
-    pub(super) fn closed<S: Lift<R> + Struve + Kappa>(&self) -> Result<Box<dyn Transform<S>>> {
+    pub(super) fn closed<S: Lift<R> + ClosedReal>(&self) -> Result<Box<dyn Transform<S>>> {
         closed_form(self.terms::<S>())
     }
 }

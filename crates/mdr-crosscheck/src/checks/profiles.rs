@@ -1,5 +1,6 @@
 //! The library of transformed profiles against quadrature of the profiles.
 
+use mdr_analytic::profiles::ClosedReal;
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Flank, Result, Shape, Transform};
 use mdr_core::number::Dual;
@@ -38,7 +39,10 @@ pub(super) fn named<R: Arithmetic>(trial: &mut Trial<'_>, _round: usize, ctx: R:
 /// Each closed form does at most forty roundings and cancels no more than the question does: with the condition
 /// c = |d ln(·)/d ln x| it may err by 40(1 + c), as by homogeneity the conditions in the other lengths are not larger
 /// than 1 + c. x stays a fifth away from the edge.
-pub(super) fn parts<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()> {
+pub(super) fn parts<R: Arithmetic>(trial: &mut Trial<'_>, round: usize, ctx: R::Ctx) -> Result<()>
+where
+    Dual<R>: ClosedReal,
+{
     let profile = Drawn::<R>::draw(trial, ctx);
     let x = profile.radius(trial, round % 6 < 4, ctx)?;
     trial.describe(format_args!("{profile}, x = {:e} ({})", x.approx(), R::NAME));

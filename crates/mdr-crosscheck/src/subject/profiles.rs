@@ -3,11 +3,10 @@
 
 use std::f64::consts::PI;
 
-use mdr_analytic::Kappa;
-use mdr_analytic::profiles::{self as closed, FlatPunch, Sum};
+use mdr_analytic::profiles::{self as closed, ClosedReal, FlatPunch};
 use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Ranged, Result, Shape, Transform};
-use mdr_core::number::{Lift, Real, Special};
+use mdr_core::number::{Real, Special};
 use mdr_numeric::profiles::Heights;
 use mdr_numeric::transform::Quadrature;
 
@@ -53,9 +52,9 @@ fn ordered<R: Real>(name: &str, inputs: &[R]) -> Vec<Shape<R>> {
 ///
 /// # Errors
 /// Parameters out of their domain.
-pub(crate) fn closed_form<R: Struve + Lift<R> + Kappa>(terms: Vec<Shape<R>>) -> Result<Box<dyn Transform<R>>> {
+pub(crate) fn closed_form<R: ClosedReal>(terms: Vec<Shape<R>>) -> Result<Box<dyn Transform<R>>> {
     let mut terms = terms.into_iter().map(closed::closed_form).collect::<Result<Vec<_>>>()?;
-    Ok(if terms.len() == 1 { terms.remove(0) } else { Box::new(Sum::new(terms)) })
+    Ok(if terms.len() == 1 { terms.remove(0) } else { R::sum(terms) })
 }
 
 /// g, g' and ∫g of a profile; the last input is x.
@@ -69,7 +68,7 @@ pub(crate) struct ProfileRoutines {
 }
 
 /// The profile of all inputs but the last.
-fn library<R: Struve + Lift<R> + Kappa>(name: &str, inputs: &[R]) -> Result<Box<dyn Transform<R>>> {
+fn library<R: ClosedReal>(name: &str, inputs: &[R]) -> Result<Box<dyn Transform<R>>> {
     closed_form(ordered(name, inputs))
 }
 

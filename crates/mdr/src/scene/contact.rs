@@ -5,15 +5,13 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use mdr_analytic::Kappa;
-use mdr_analytic::profiles::{Sum, closed_form};
-use mdr_analytic::struve::Struve;
+use mdr_analytic::profiles::ClosedReal;
 #[cfg(feature = "mp")]
 use mdr_core::contact::EnclosedFormula;
 use mdr_core::contact::{Control, Edge, Error, ExpressionError, ExpressionProfile, Quantity, Transform};
+use mdr_core::number::{Dual, Literal, Real, Special};
 #[cfg(feature = "mp")]
-use mdr_core::number::{Dual, Interval, Precision};
-use mdr_core::number::{Literal, Real, Special};
+use mdr_core::number::{Interval, Precision};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::medium::{self, Adhesion};
 #[cfg(feature = "mp")]
@@ -22,16 +20,73 @@ use mdr_numeric::transform::Quadrature;
 #[cfg(feature = "mp")]
 use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
 
+use super::unenclosed::Unenclosed;
 use super::{ExactMedium, Formula, Profile, Scene};
 use crate::solve::GradedReal;
 use crate::solve::media;
 
 type Result<T> = mdr_core::contact::Result<T>;
 
+/// The transforms of formulas, and of shapes that are written as such on a medium, that an arithmetic has in place of quadratures.
+pub(crate) type Formulas<'a, R> = &'a dyn Fn(&Profile) -> Option<Result<Box<dyn Transform<R>>>>;
+
+/// An arithmetic in which profiles are transformed for every medium: `f64`, numbers of any precision, enclosures, and dual
+/// numbers over them.
+///
+/// Transforms are generic, and are compiled in this crate for all of these arithmetics but numbers of any precision: what calls
+/// them through this trait does not compile them again.
+pub trait ProfileReal: ClosedReal + GradedReal {
+    /// Whether its numbers are enclosures, over which a quadrature has no meaning.
+    const ENCLOSES: bool;
+
+    /// The transformed profile g for a medium, as [`Profile::transform_on`] has it; `formulas` has the transforms of formulas that
+    /// are better than a quadrature.
+    ///
+    /// # Errors
+    /// A parameter out of the domain of the profile; a profile that the medium has no transform of.
+    fn transform(
+        profile: &Profile,
+        medium: &ExactMedium,
+        ctx: Self::Ctx,
+        number: &mut dyn FnMut(&Literal) -> Self,
+        formulas: Formulas<'_, Self>,
+    ) -> Result<Box<dyn Transform<Self>>> {
+        media::transform(profile, medium, ctx, number, formulas)
+    }
+}
+
+/// `ProfileReal` with a function that is not generic, which only this crate compiles.
+macro_rules! compiled {
+    (encloses $encloses:literal: $($arithmetic:ty),*) => {$(
+        impl ProfileReal for $arithmetic {
+            const ENCLOSES: bool = $encloses;
+
+            fn transform(
+                profile: &Profile,
+                medium: &ExactMedium,
+                ctx: Self::Ctx,
+                number: &mut dyn FnMut(&Literal) -> Self,
+                formulas: Formulas<'_, Self>,
+            ) -> Result<Box<dyn Transform<Self>>> {
+                media::transform(profile, medium, ctx, number, formulas)
+            }
+        }
+    )*};
+}
+
+compiled!(encloses false: f64, Dual<f64>);
+#[cfg(feature = "mp")]
+compiled!(encloses true: Interval, Dual<Interval>, Dual<Dual<Interval>>);
+
+#[cfg(feature = "mp")]
+impl ProfileReal for rug::Float {
+    const ENCLOSES: bool = false;
+}
+
 /// An arithmetic in which the contact of a scene is assembled: `f64`, intervals, and dual numbers over intervals.
 ///
 /// The transform of a formula is a quadrature in the first and rigorous in the others.
-pub trait SceneReal: Struve + Kappa + GradedReal {
+pub trait SceneReal: ProfileReal {
     /// Its place among the [`ARITHMETICS`](crate::ARITHMETICS).
     const INDEX: usize;
 
@@ -184,7 +239,7 @@ impl Scene {
         })?;
         let formulas = |profile: &Profile| R::of_formula(profile, &self.medium, ctx);
         let number = &mut |literal: &Literal| R::from_literal(ctx, literal);
-        let transform = media::transform(&self.profile, &self.medium, ctx, number, &formulas)?;
+        let transform = R::transform(&self.profile, &self.medium, ctx, number, &formulas)?;
         Ok(Contact::sharing(Arc::from(transform), medium, adhesion, control))
     }
 
@@ -239,44 +294,42 @@ fn unnamed(error: ExpressionError) -> Error {
     }
 }
 
-/// The transforms of formulas, and of shapes that are written as such on a medium, that an arithmetic has in place of quadratures.
-pub(crate) type Formulas<'a, R> = &'a dyn Fn(&Profile) -> Option<Result<Box<dyn Transform<R>>>>;
-
 /// The transformed profile: a closed form where there is one, `formulas` of a formula where the arithmetic has it, else its
 /// quadrature, and exact pieces of a table. `number` gets its numbers in the order of [`Profile::numbers`].
 ///
-/// Over intervals a quadrature has no meaning.
-///
 /// # Errors
 /// A parameter out of the domain of the profile; a wave, which needs a periodic medium.
-pub(crate) fn by_formulas<R: Struve + Kappa>(
+pub(crate) fn by_formulas<R: ProfileReal>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
     formulas: Formulas<'_, R>,
 ) -> Result<Box<dyn Transform<R>>> {
     Ok(match profile {
-        Profile::Shape(shape) => closed_form(shape.map(|_, literal| number(literal)))?,
+        Profile::Shape(shape) => R::closed_form(shape.map(|_, literal| number(literal)))?,
         Profile::Sum(terms) => {
             let terms = terms.iter().map(|term| by_formulas(term, ctx, number, formulas));
-            Box::new(Sum::new(terms.collect::<Result<_>>()?))
+            R::sum(terms.collect::<Result<_>>()?)
         }
         Profile::Formula(formula) => {
             if let Some(transform) = formulas(profile) {
                 return transform;
             }
-            let quadrature = Quadrature::new(formula.bound(ctx, number)?);
-            #[cfg(feature = "mp")]
-            let quadrature = if R::from_int(ctx, 1).precision() <= f64::MANTISSA_DIGITS {
-                quadrature.lost_below(formula.lost.map(|radius| R::from_f64(ctx, radius)))
-            } else {
-                quadrature
-            };
-            Box::new(quadrature)
+            by_quadrature(formula.bound(ctx, number)?, |bound| {
+                let quadrature = Quadrature::new(bound);
+                #[cfg(feature = "mp")]
+                let quadrature = if R::from_int(ctx, 1).precision() <= f64::MANTISSA_DIGITS {
+                    quadrature.lost_below(formula.lost.map(|radius| R::from_f64(ctx, radius)))
+                } else {
+                    quadrature
+                };
+                Ok(quadrature)
+            })?
         }
         Profile::Table(measured) => Box::new(measured.table.profile::<R>(ctx)?),
         Profile::Function(function) => {
-            Box::new(Quadrature::new(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?))
+            let function = function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?;
+            by_quadrature(function, |function| Ok(Quadrature::new(function)))?
         }
         Profile::Wave(_) => {
             return Err(Error::Domain {
@@ -286,6 +339,21 @@ pub(crate) fn by_formulas<R: Struve + Kappa>(
             });
         }
     })
+}
+
+/// The transform by quadrature, or in place of it over enclosures one that refuses, so that it is not even compiled for them.
+///
+/// # Errors
+/// What `transform` returns.
+pub(crate) fn by_quadrature<R: ProfileReal, P: mdr_core::contact::Profile<R>, T: Transform<R> + 'static>(
+    profile: P,
+    transform: impl FnOnce(P) -> Result<T>,
+) -> Result<Box<dyn Transform<R>>> {
+    if R::ENCLOSES {
+        let (outer_radius, vertical_edge) = (profile.outer_radius(), profile.vertical_edge());
+        return Ok(Box::new(Unenclosed { outer_radius, vertical_edge }));
+    }
+    Ok(Box::new(transform(profile)?))
 }
 
 impl Formula {
@@ -312,12 +380,12 @@ impl Profile {
     ///
     /// # Errors
     /// A parameter out of the domain of the profile.
-    pub fn transform<R: Struve + Kappa>(
+    pub fn transform<R: ProfileReal>(
         &self,
         ctx: R::Ctx,
         number: &mut dyn FnMut(&Literal) -> R,
     ) -> Result<Box<dyn Transform<R>>> {
-        by_formulas(self, ctx, number, &|_| None)
+        self.transform_on(&ExactMedium::HalfSpace, ctx, number)
     }
 
     /// The transformed profile g for a medium: that of [`Profile::transform`] on a half-space, and with the weight of the medium
@@ -335,13 +403,13 @@ impl Profile {
     ///
     /// # Errors
     /// A parameter out of the domain of the profile; a profile that the medium has no transform of.
-    pub fn transform_on<R: Struve + Kappa + GradedReal>(
+    pub fn transform_on<R: ProfileReal>(
         &self,
         medium: &ExactMedium,
         ctx: R::Ctx,
         number: &mut dyn FnMut(&Literal) -> R,
     ) -> Result<Box<dyn Transform<R>>> {
-        media::transform(self, medium, ctx, number, &|_| None)
+        R::transform(self, medium, ctx, number, &|_| None)
     }
 }
 

@@ -18,6 +18,7 @@ mod profile;
 mod read;
 mod tip;
 pub(crate) mod tree;
+mod unenclosed;
 mod want;
 
 use mdr_core::contact::{Control, Edge, Elasticity};
@@ -29,8 +30,8 @@ use crate::run::{Run, Stop};
 use crate::solve;
 use crate::validity::{self, Validity};
 
-pub use contact::SceneReal;
-pub(crate) use contact::{Formulas, by_formulas, not_in_f64, transform_in_doubles};
+pub(crate) use contact::{Formulas, by_formulas, by_quadrature, not_in_f64, transform_in_doubles};
+pub use contact::{ProfileReal, SceneReal};
 pub use measured::Measured;
 pub use medium::{ExactMedium, Grading};
 pub(crate) use place::{Location, Places};

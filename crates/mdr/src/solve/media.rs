@@ -1,8 +1,5 @@
 //! The medium of a scene in one arithmetic, and the transform of its profile there.
 
-use mdr_analytic::Kappa;
-use mdr_analytic::profiles::{Sum, closed_form};
-use mdr_analytic::struve::Struve;
 use mdr_core::contact::{Body, Error, Quantity, Result, Transform};
 #[cfg(feature = "mp")]
 use mdr_core::contact::{Control, EnclosedFormula};
@@ -18,7 +15,9 @@ use mdr_numeric::transform::{LineLoad, Periodic, Powers, Wave, Weighted};
 
 use super::graded::GradedReal;
 use crate::answer::Output;
-use crate::scene::{ExactMedium, Formulas, Grading, Profile, Scene, by_formulas, not_in_f64};
+use crate::scene::{
+    ExactMedium, Formulas, Grading, Profile, ProfileReal, Scene, by_formulas, by_quadrature, not_in_f64,
+};
 
 /// c of a graded half-space: as given, or 1/c = z₀ᵏ Σ (1 − ν²)/(h_N E).
 fn stiffness_of_grade<R: GradedReal>(ctx: R::Ctx, k: &R, stiffness: &Grading) -> R {
@@ -228,7 +227,7 @@ fn is_flat(profile: &Profile) -> bool {
 ///
 /// # Errors
 /// A parameter out of the domain of the profile; a profile that the medium has no transform of.
-pub(crate) fn transform<R: Struve + Kappa + GradedReal>(
+pub(crate) fn transform<R: ProfileReal>(
     profile: &Profile,
     medium: &ExactMedium,
     ctx: R::Ctx,
@@ -265,7 +264,7 @@ pub(crate) fn transform<R: Struve + Kappa + GradedReal>(
 }
 
 /// The transform of a wave, or by quadrature of another periodic profile.
-fn periodic<R: GradedReal>(
+fn periodic<R: ProfileReal>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
@@ -284,11 +283,11 @@ fn periodic<R: GradedReal>(
 }
 
 /// The transform of a periodic profile by quadrature.
-fn repeating<R: Special>(
+fn repeating<R: ProfileReal>(
     profile: impl mdr_core::contact::Profile<R> + 'static,
     wavelength: R,
 ) -> Result<Box<dyn Transform<R>>> {
-    Ok(Box::new(Periodic::new(profile, wavelength)?))
+    by_quadrature(profile, |profile| Periodic::new(profile, wavelength))
 }
 
 /// What decides the transform.
@@ -299,7 +298,7 @@ enum OfMedium<R> {
     Line(Option<R>),
 }
 
-impl<R: GradedReal> OfMedium<R> {
+impl<R: ProfileReal> OfMedium<R> {
     /// n, the factor of xⁿ in g, and the mean of g over g, of C rⁿ.
     fn power(&self, n: R, c: R) -> [R; 3] {
         match self {
@@ -321,18 +320,20 @@ impl<R: GradedReal> OfMedium<R> {
         }
     }
 
-    fn of(&self, profile: impl mdr_core::contact::Profile<R> + 'static, ctx: R::Ctx) -> Box<dyn Transform<R>> {
+    fn of(&self, profile: impl mdr_core::contact::Profile<R> + 'static, ctx: R::Ctx) -> Result<Box<dyn Transform<R>>> {
         let like = R::from_int(ctx, 1);
-        Box::new(match self {
-            OfMedium::Graded(k) => Weighted::graded(profile, k.clone()),
-            OfMedium::Winkler => Weighted::winkler(profile, like),
-            OfMedium::Line(reference) => Weighted::line(profile, reference.clone(), like),
+        by_quadrature(profile, |profile| {
+            Ok(match self {
+                OfMedium::Graded(k) => Weighted::graded(profile, k.clone()),
+                OfMedium::Winkler => Weighted::winkler(profile, like),
+                OfMedium::Line(reference) => Weighted::line(profile, reference.clone(), like),
+            })
         })
     }
 }
 
 /// The transform by quadrature, or as `formulas` has it.
-fn quadrature<R: GradedReal + Struve + Kappa>(
+fn quadrature<R: ProfileReal>(
     profile: &Profile,
     ctx: R::Ctx,
     number: &mut dyn FnMut(&Literal) -> R,
@@ -343,19 +344,19 @@ fn quadrature<R: GradedReal + Struve + Kappa>(
         return transform;
     }
     Ok(match profile {
-        Profile::Shape(shape) if is_flat(profile) => closed_form(shape.map(|_, literal| number(literal)))?,
+        Profile::Shape(shape) if is_flat(profile) => R::closed_form(shape.map(|_, literal| number(literal)))?,
         Profile::Shape(shape) => {
             let heights = Heights::new([shape.map(|_, literal| number(literal))])?;
-            weight.of(heights, ctx)
+            weight.of(heights, ctx)?
         }
         Profile::Sum(terms) => {
             let terms =
                 terms.iter().map(|term| quadrature(term, ctx, number, weight, formulas)).collect::<Result<_>>()?;
-            Box::new(Sum::new(terms))
+            R::sum(terms)
         }
-        Profile::Formula(formula) => weight.of(formula.bound::<R>(ctx, number)?, ctx),
-        Profile::Table(measured) => weight.of(measured.table.profile::<R>(ctx)?, ctx),
-        Profile::Function(function) => weight.of(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, ctx),
+        Profile::Formula(formula) => weight.of(formula.bound::<R>(ctx, number)?, ctx)?,
+        Profile::Table(measured) => weight.of(measured.table.profile::<R>(ctx)?, ctx)?,
+        Profile::Function(function) => weight.of(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, ctx)?,
         Profile::Wave(_) => return Err(not_available("this medium")),
     })
 }
