@@ -382,7 +382,7 @@ struct Whole {
 type Sums = [f64; 3];
 
 fn plus(one: Sums, other: Sums) -> Sums {
-    [0, 1, 2].map(|index| one[index] + other[index])
+    [one[0] + other[0], one[1] + other[1], one[2] + other[2]]
 }
 
 /// The least sums of squares at one w/E* and shift: with all rows in contact, and with some detached.
