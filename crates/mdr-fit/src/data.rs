@@ -170,6 +170,48 @@ pub(super) fn si_unit(base: &str) -> SiUnit {
 pub(super) fn si(number: &str, unit: &str, base: &str) -> Option<f64> {
     let power = si_unit(base).power_of(bare(unit))?;
     let number = number.trim();
-    number.parse::<Literal>().ok()?;
-    scaled(number, power).parse().ok().map(|literal: Literal| literal.nearest_f64())
+    by_doubles(number, power).or_else(|| {
+        number.parse::<Literal>().ok()?;
+        scaled(number, power).parse().ok().map(|literal: Literal| literal.nearest_f64())
+    })
+}
+
+/// The double nearest to a decimal number times a power of ten, of which records have millions. `None` for a fraction, for a number
+/// that is no normal double, and for no number.
+fn by_doubles(number: &str, power: i64) -> Option<f64> {
+    let of_decimals = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'.' | b'e' | b'E' | b'+' | b'-');
+    if !number.bytes().all(of_decimals) {
+        return None;
+    }
+    let value: f64 = if power == 0 { number.parse() } else { scaled(number, power).parse() }.ok()?;
+    value.is_normal().then_some(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What doubles read is the double nearest to the literal, and what is no literal is nothing to them either.
+    #[test]
+    fn decimals_by_doubles_are_those_of_literals() {
+        let (mut read, mut left) = (0, 0);
+        let signs = ["", "-", "+", "--"];
+        let mantissas = "0|1|1.|.5|.||0.1|123456789012345678901|9.999999999999999999|1.2.3|1-2|00012.50".split('|');
+        let ends = "|e5|E-7|e+300|e-309|e-330|e400|e|e1.5|e-|e3e3|e99999999999999999999|/3".split('|');
+        for number in signs.iter().flat_map(|sign| mantissas.clone().map(move |mantissa| format!("{sign}{mantissa}"))) {
+            for (end, power) in ends.clone().flat_map(|end| [0, -9, 3].map(|power| (end, power))) {
+                let number = format!("{number}{end}");
+                let literal =
+                    number.parse::<Literal>().ok().and_then(|_| scaled(&number, power).parse::<Literal>().ok());
+                match by_doubles(&number, power) {
+                    Some(value) => {
+                        assert_eq!(literal.map(|literal| literal.nearest_f64()), Some(value), "{number} {power}");
+                        read += 1;
+                    }
+                    None => left += 1,
+                }
+            }
+        }
+        assert!(read > 200 && left > 1000, "{read} {left}");
+    }
 }
