@@ -28,8 +28,8 @@ pub fn closed_form<R: ClosedReal>(shape: Shape<R>) -> Result<Box<dyn Transform<R
 /// An arithmetic that has the closed forms of the library: `f64`, numbers of any precision, enclosures, and dual numbers over
 /// them.
 ///
-/// The closed forms are generic, and are compiled in this crate for each of these arithmetics: what calls them through this
-/// trait does not compile them again.
+/// The closed forms are generic. A release compiles them in this crate for each of these arithmetics: what calls them through
+/// this trait does not compile them again. Another arithmetic has them with an `impl` without functions.
 ///
 /// ```
 /// use mdr_analytic::profiles::{ClosedReal, closed_form};
