@@ -6,7 +6,7 @@ use mdr::prelude::{Arithmetic, Elasticity, Literal, Profile, Scene, Shape, Want}
 use mdr::{Answer, critical};
 use mdr_analytic::profiles::{ClosedReal, closed_form};
 use mdr_analytic::{Kappa, PowerLaw, PowerLawContact as Law};
-use mdr_core::contact::{self, Control, Error, Material, Quantity};
+use mdr_core::contact::{self, Control, Error, Material, Quantity, Transform};
 use mdr_core::number::{Precision, Real};
 use mdr_numeric::contact::Contact;
 use mdr_numeric::transform::Quadrature;
@@ -137,8 +137,8 @@ impl<R: Real> Model<R> {
         R: ClosedReal,
     {
         let terms = self.terms.into_iter().map(closed_form).collect::<contact::Result<_>>()?;
-        let sum = Arc::from(R::sum(terms));
-        f(&Contact::sharing(sum, (&self.material).into(), (&self.material).into(), self.control))
+        let sum: Arc<dyn Transform<R>> = Arc::from(R::sum(terms));
+        f(&Contact::half_space(&sum, &self.material, &self.control))
     }
 
     /// The power law.

@@ -127,8 +127,8 @@ fn digits_of_a_function_are_refused() {
     }
 }
 
-/// The error of a quadrature is estimated, so that enclosures have none: they are refused, with the remedy. By rigorous integrals
-/// the scene encloses what f64 has.
+/// The error of a quadrature is estimated and bounds nothing: over enclosures it is refused, with the remedy. The rigorous integrals
+/// of the scene enclose what f64 has.
 #[cfg(feature = "mp")]
 #[test]
 fn a_quadrature_is_refused_over_enclosures() {

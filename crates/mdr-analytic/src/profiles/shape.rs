@@ -61,14 +61,16 @@ pub trait ClosedReal: Struve + Kappa {
     }
 }
 
-/// `ClosedReal` with functions that are not generic, which only this crate compiles.
-macro_rules! compiled {
-    ($($arithmetic:ty),*) => {$(
+/// `ClosedReal`, with functions that are not generic in builds of this configuration: only this crate compiles those.
+macro_rules! closed_forms {
+    (compiled if $configuration:meta: $($arithmetic:ty),*) => {$(
         impl ClosedReal for $arithmetic {
+            #[cfg($configuration)]
             fn closed_form(shape: Shape<Self>) -> Result<Box<dyn Transform<Self>>> {
                 by_module(shape)
             }
 
+            #[cfg($configuration)]
             fn sum(terms: Vec<Box<dyn Transform<Self>>>) -> Box<dyn Transform<Self>> {
                 Box::new(Sum::new(terms))
             }
@@ -76,21 +78,12 @@ macro_rules! compiled {
     )*};
 }
 
-compiled!(f64, Dual<f64>);
-#[cfg(all(feature = "mp", not(debug_assertions)))]
-compiled!(rug::Float, Dual<rug::Float>, Interval, Dual<Interval>, Dual<Dual<Interval>>);
-
-/// `ClosedReal` with generic functions. Development builds share what is generic, and the crates above compile it faster, as they
-/// do without optimisation.
-#[cfg(all(feature = "mp", debug_assertions))]
-macro_rules! generic {
-    ($($arithmetic:ty),*) => {$(
-        impl ClosedReal for $arithmetic {}
-    )*};
-}
-
-#[cfg(all(feature = "mp", debug_assertions))]
-generic!(rug::Float, Dual<rug::Float>, Interval, Dual<Interval>, Dual<Dual<Interval>>);
+closed_forms!(compiled if all(): f64, Dual<f64>);
+// Development builds share what is generic, and the crates above compile these faster, as they do without optimisation.
+#[cfg(feature = "mp")]
+closed_forms!(
+    compiled if not(debug_assertions): rug::Float, Dual<rug::Float>, Interval, Dual<Interval>, Dual<Dual<Interval>>
+);
 
 fn by_module<R: Struve + Kappa>(shape: Shape<R>) -> Result<Box<dyn Transform<R>>> {
     if let Shape::Power { n, c } = shape {

@@ -20,7 +20,7 @@ use mdr_numeric::transform::Quadrature;
 #[cfg(feature = "mp")]
 use mdr_numeric::transform::{Enclosed, EnclosedWithSlopes};
 
-use super::unenclosed::Unenclosed;
+use super::quadrature::by_quadrature;
 use super::{ExactMedium, Formula, Profile, Scene};
 use crate::solve::GradedReal;
 use crate::solve::media;
@@ -33,8 +33,8 @@ pub(crate) type Formulas<'a, R> = &'a dyn Fn(&Profile) -> Option<Result<Box<dyn 
 /// An arithmetic in which profiles are transformed for every medium: `f64`, numbers of any precision, enclosures, and dual
 /// numbers over them.
 ///
-/// Transforms are generic, and are compiled in this crate for all of these arithmetics but numbers of any precision: what calls
-/// them through this trait does not compile them again.
+/// [`Profile::transform`] and [`Profile::transform_on`] take it. Transforms are generic, and are compiled in this crate for all of
+/// these arithmetics but numbers of any precision: what calls them through this trait does not compile them again.
 pub trait ProfileReal: ClosedReal + GradedReal {
     /// Whether its numbers are enclosures, over which a quadrature has no meaning.
     const ENCLOSES: bool;
@@ -44,6 +44,7 @@ pub trait ProfileReal: ClosedReal + GradedReal {
     ///
     /// # Errors
     /// A parameter out of the domain of the profile; a profile that the medium has no transform of.
+    #[doc(hidden)]
     fn transform(
         profile: &Profile,
         medium: &ExactMedium,
@@ -339,21 +340,6 @@ pub(crate) fn by_formulas<R: ProfileReal>(
             });
         }
     })
-}
-
-/// The transform by quadrature, or in place of it over enclosures one that refuses, so that it is not even compiled for them.
-///
-/// # Errors
-/// What `transform` returns.
-pub(crate) fn by_quadrature<R: ProfileReal, P: mdr_core::contact::Profile<R>, T: Transform<R> + 'static>(
-    profile: P,
-    transform: impl FnOnce(P) -> Result<T>,
-) -> Result<Box<dyn Transform<R>>> {
-    if R::ENCLOSES {
-        let (outer_radius, vertical_edge) = (profile.outer_radius(), profile.vertical_edge());
-        return Ok(Box::new(Unenclosed { outer_radius, vertical_edge }));
-    }
-    Ok(Box::new(transform(profile)?))
 }
 
 impl Formula {

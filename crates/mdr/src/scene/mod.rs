@@ -15,10 +15,10 @@ mod medium;
 pub(crate) mod parse;
 pub(crate) mod place;
 mod profile;
+mod quadrature;
 mod read;
 mod tip;
 pub(crate) mod tree;
-mod unenclosed;
 mod want;
 
 use mdr_core::contact::{Control, Edge, Elasticity};
@@ -30,12 +30,13 @@ use crate::run::{Run, Stop};
 use crate::solve;
 use crate::validity::{self, Validity};
 
-pub(crate) use contact::{Formulas, by_formulas, by_quadrature, not_in_f64, transform_in_doubles};
+pub(crate) use contact::{Formulas, by_formulas, not_in_f64, transform_in_doubles};
 pub use contact::{ProfileReal, SceneReal};
 pub use measured::Measured;
 pub use medium::{ExactMedium, Grading};
 pub(crate) use place::{Location, Places};
 pub use profile::{Formula, IntoProfile, Profile};
+pub(crate) use quadrature::by_quadrature;
 use read::FEWER_WAY_POINTS;
 pub use read::no_files;
 pub use tree::Files;
