@@ -300,6 +300,19 @@ fn duals_over_intervals_claim_nothing_unproved() {
     assert_eq!(Dual::variable(3.0).inflate(&Dual::constant(1.0)).slope, 1.0);
 }
 
+/// (r²)ᵏ at the axis, where r² and its slope are zero and its curvature is not: it is no constant, whose power has no slope.
+#[test]
+fn a_power_of_a_square_has_its_own_curvature_at_the_axis() {
+    let square = Dual::variable(Dual::variable(int(0))).square();
+    let power = |numerator, denominator| square.pow(&square.ratio(numerator, denominator)).slope.slope;
+    assert_eq!([power(2, 1), power(5, 2), power(3, 1)].map(|curvature| curvature.approx()), [0.0; 3]);
+    // |r| and |r|^(3/2) have none.
+    assert!([power(1, 2), power(3, 4)].iter().all(|curvature| !curvature.is_finite()));
+    // 2^y, where the exponent y is zero with its slope and curves by 2: the curvature is 2 ln 2.
+    let exponential = square.lit(2).pow(&square).slope.slope;
+    assert!((exponential.approx() - 2.0 * 2f64.ln()).abs() < 1e-15, "{exponential}");
+}
+
 /// Beside a maximum or minimum of sin and cos the sign of the derivative is known however near the interval comes, and however far out it is.
 #[test]
 fn an_extremum_is_seen_however_narrow_the_interval() {

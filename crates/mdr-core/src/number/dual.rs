@@ -227,15 +227,16 @@ impl<R: Real> Real for Dual<R> {
         let value = self.value.pow(&exponent.value);
         let vanishes = (value.unit_roundoff() * &value).midpoint() == value.lit(0);
         let may_underflow = self.value.precision() <= f64::MANTISSA_DIGITS;
-        let mut slope = if vanishes && self.slope == self.slope.lit(0) && !may_underflow {
-            // A constant, of which no power with a finite slope need exist. In f64 both may be zero by underflow.
+        let is_constant = self.slope.vanishes() && value.is_finite() && !(vanishes && may_underflow);
+        let mut slope = if is_constant {
+            // Of which no power with a finite slope need exist. In f64 both may be zero by underflow.
             self.slope.clone()
         } else if vanishes {
             self.value.pow(&(exponent.value.clone() - exponent.value.lit(1))) * &exponent.value * &self.slope
         } else {
             self.slope.clone() / &self.value * &exponent.value * &value
         };
-        if exponent.slope != exponent.slope.lit(0) {
+        if !exponent.slope.vanishes() {
             slope += &(value.clone() * self.value.ln() * &exponent.slope);
         }
         Dual { value, slope }
