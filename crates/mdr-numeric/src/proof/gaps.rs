@@ -76,7 +76,8 @@ impl EnclosedGaps {
         let in_bits = || Bounded::InBits(Arc::clone(self.contact.shared_transform()));
         let bounded =
             in_doubles.map_or_else(in_bits, |curve| Bounded::InDoubles(Arc::clone(curve.plain().shared_transform())));
-        EnclosedGaps { staircases: Some(Staircases::new(bounded)), ..self }
+        let range = |radii: &Interval| self.profile.as_ref()?.range(radii);
+        EnclosedGaps { staircases: Some(Staircases::new(bounded, range)), ..self }
     }
 
     /// The gaps, with the folds of this contact at fixed grips on a range of radii, which are looked for where integrals over f take long:

@@ -11,7 +11,7 @@
 use std::sync::{Arc, OnceLock};
 
 use mdr_core::contact::Transform;
-use mdr_core::number::{DoubleInterval, Ends, Interval, Precision};
+use mdr_core::number::{DoubleInterval, Ends, Interval, Precision, Real};
 use rug::float::Round;
 
 use super::kinks::beside;
@@ -35,10 +35,14 @@ const ROUNDINGS: f64 = 16.0;
 const LEAST_SUM: f64 = 1e-280;
 /// The precision in which g is bounded.
 const BITS: u32 = 64;
+/// What is known of g where nothing is.
+const UNBOUNDED: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
 /// g between two step functions.
 pub(super) struct Staircases {
     transform: Bounded,
+    /// Radii that hold the end of the profile, and bounds of g there.
+    end: Option<[[f64; 2]; 2]>,
     levels: [OnceLock<Vec<Cell>>; LEVELS.len()],
 }
 
@@ -63,13 +67,13 @@ impl Bounded {
         }
     }
 
-    /// The last number that is certainly within the profile. What is closer to its end than that, by a rounding of a double, has no cell.
-    fn outer_radius(&self) -> Option<f64> {
-        let [least, _] = match self {
+    /// The last number that is certainly within the profile, and one that is not below its end.
+    fn end(&self) -> Option<[f64; 2]> {
+        let [least, most] = match self {
             Bounded::InDoubles(transform) => ends_of(&transform.outer_radius()?),
             Bounded::InBits(transform) => ends_of(&transform.outer_radius()?),
         };
-        Some(least.next_down())
+        Some([least.next_down(), most])
     }
 }
 
@@ -133,8 +137,13 @@ impl State {
 }
 
 impl Staircases {
-    pub(super) fn new(transform: Bounded) -> Self {
-        Staircases { transform, levels: Default::default() }
+    /// Cells on which the transform bounds g. The radii next to the end of the profile are not all certainly within it, so that the
+    /// transform is not asked there, but `range`.
+    pub(super) fn new(transform: Bounded, range: impl Fn(&Interval) -> Option<Interval>) -> Self {
+        let number = |x| Interval::from_f64(Precision::new(BITS), x);
+        let bounds = |[from, to]: [f64; 2]| range(&number(from).hull(&number(to))).map_or(UNBOUNDED, |g| ends_of(&g));
+        let end = transform.end().map(|radii| [radii, bounds(radii)]);
+        Staircases { transform, end, levels: Default::default() }
     }
 
     /// Whether no gap outside a contact is negative, if that is certain; and the terms that were summed. Each staircase is asked for the
@@ -159,8 +168,32 @@ impl Staircases {
     }
 
     fn stair(&self, level: usize, state: State) -> Stair<'_> {
-        let cells = self.levels[level].get_or_init(|| cells(&self.transform, LEVELS[level]));
+        let cells = self.levels[level].get_or_init(|| self.cells(LEVELS[level]));
         Stair { transform: &self.transform, cells, state, terms: 0 }
+    }
+
+    /// About so many cells between the first kink and the end of the profile, one that holds the end, and some below. None holds a kink
+    /// but just above its lower end: there slopes are bounded by what is known of the kink.
+    fn cells(&self, count: usize) -> Vec<Cell> {
+        let kinks = self.transform.kinks();
+        let (Some([first, _]), Some([[end, beyond], bounds])) = (kinks.first(), self.end) else { return Vec::new() };
+        let parts = (count / kinks.len()).max(2);
+        let mut cells = Vec::new();
+        let mut from = first * 2f64.powi(-OCTAVES);
+        for (index, kink) in kinks.iter().enumerate() {
+            let before = kink[0].next_down();
+            let next = kinks.get(index + 1).map_or(end, |[next, _]| *next);
+            let after = before + ((next - before) / parts as f64).min(before / 8.0);
+            if !(before > from && after > kink[1]) {
+                return Vec::new();
+            }
+            divided([from, before], if index == 0 { PARTS_OF_OCTAVE } else { parts }, &mut cells);
+            cells.push(Cell::new([before, after], Some((index, *kink))));
+            from = after;
+        }
+        divided([from, end], parts, &mut cells);
+        cells.push(Cell { bounds: bounds.into(), ..Cell::new([end, beyond], None) });
+        cells
     }
 }
 
@@ -253,29 +286,6 @@ impl Stair<'_> {
 /// The weight of a cell for one r, with r + ξ.
 fn weight([from, to]: [f64; 2], r: f64, across: f64) -> f64 {
     2.0 * (to - from) / (((r - from).sqrt() + (r - to).sqrt()) * across.sqrt())
-}
-
-/// About so many cells between the first kink and the end of a profile, and some below. None holds a kink but just above its lower end:
-/// there slopes are bounded by what is known of the kink.
-fn cells(transform: &Bounded, count: usize) -> Vec<Cell> {
-    let kinks = transform.kinks();
-    let (Some([first, _]), Some(end)) = (kinks.first(), transform.outer_radius()) else { return Vec::new() };
-    let parts = (count / kinks.len()).max(2);
-    let mut cells = Vec::new();
-    let mut from = first * 2f64.powi(-OCTAVES);
-    for (index, kink) in kinks.iter().enumerate() {
-        let before = kink[0].next_down();
-        let next = kinks.get(index + 1).map_or(end, |[next, _]| *next);
-        let after = before + ((next - before) / parts as f64).min(before / 8.0);
-        if !(before > from && after > kink[1]) {
-            return Vec::new();
-        }
-        divided([from, before], if index == 0 { PARTS_OF_OCTAVE } else { parts }, &mut cells);
-        cells.push(Cell::new([before, after], Some((index, *kink))));
-        from = after;
-    }
-    divided([from, end], parts, &mut cells);
-    cells
 }
 
 /// Adds cells between two radii without a kink: so many in each octave.

@@ -45,7 +45,8 @@ impl Case {
         let material = Material::new(number(1.0), number(1e-4)).expect("positive");
         let contact = Contact::half_space(&Arc::new(profile), &material, &Control::Indentation);
         let profile = Continuation::new(vec![formula]).expect("kinks in order");
-        Case { contact, profile, staircases: [in_doubles, in_bits].map(Staircases::new) }
+        let staircases = [in_doubles, in_bits].map(|bounded| Staircases::new(bounded, |radii| profile.range(radii)));
+        Case { contact, profile, staircases }
     }
 
     /// A state of equilibrium, pressed deeper by a length.
@@ -96,8 +97,9 @@ fn bounds_hold_the_gap_by_integrals_over_f() {
 #[test]
 fn cells_hold_g_up_to_their_ends() {
     let double = bumpy().profile::<f64>(()).expect("a table");
+    let case = Case::new();
     for (profile, cell) in
-        bounded().iter().flat_map(|profile| cells(profile, LEVELS[0]).into_iter().map(move |cell| (profile, cell)))
+        case.staircases.iter().flat_map(|one| one.cells(LEVELS[0]).into_iter().map(move |cell| (&one.transform, cell)))
     {
         if cell.from <= 0.05 {
             continue;
@@ -160,4 +162,25 @@ fn open_gaps_and_overlaps_are_told_apart() {
             assert_eq!(found.is_some(), overlap.is_some(), "{a}: {least}");
         }
     }
+}
+
+/// 1.3 is not a double: the last cell holds it, and is bounded by the formula of the last piece.
+#[test]
+fn the_end_of_the_profile_has_a_cell() {
+    let case = Case::new();
+    let end = Interval::from_int(Precision::new(BITS), 13).over(10);
+    for staircases in &case.staircases {
+        for level in 0..LEVELS.len() {
+            let cells = staircases.cells(LEVELS[level]);
+            assert!(cells.windows(2).all(|pair| pair[0].to == pair[1].from));
+            let last = cells.last().expect("cells");
+            assert!(*end.lower() > last.from && *end.upper() <= last.to, "{} {}", last.from, last.to);
+            let [least, most] = last.g(&staircases.transform);
+            assert!(least.is_finite() && most.is_finite(), "{least} {most}");
+        }
+    }
+    // Of which nothing is known: the gap is not decided.
+    let [bounded, _] = bounded();
+    let (blind, open) = (Staircases::new(bounded, |_| None), State::of(&case.place(0.17, 0.0)));
+    assert!(case.staircases[0].are_open(open).0 && !blind.are_open(open).0);
 }
