@@ -79,6 +79,23 @@ fn g_is_not_proved_to_rise_where_it_falls() {
     }
 }
 
+/// Up to where r f' begins to fall, if it rises at the axis.
+#[test]
+fn g_is_proved_to_rise_up_to_a_radius() {
+    let rises = |formula: &str, radius: f64| {
+        let formula: Expression = formula.parse().unwrap();
+        formula.rises_up_to(&BTreeMap::new(), &Float::with_val(53, radius)).unwrap()
+    };
+    // (r f')' = 4r − 16r³
+    for (radius, expected) in [(1e-300, true), (0.01, true), (0.4999, true), (0.5001, false), (3.0, false)] {
+        assert_eq!(rises("r^2 - r^4", radius), expected, "{radius}");
+    }
+    // It falls next to the axis alone.
+    assert!(!rises("r^2/2 - r^2/(1000*r^2 + 1)", 0.01) && !rises("r^2/2 - r^2/(1000*r^2 + 1)", 0.05));
+    // One kink downwards.
+    assert!(rises("r^2/2 - 0.1*max(0, r - 0.1)", 0.09) && !rises("r^2/2 - 0.1*max(0, r - 0.1)", 0.11));
+}
+
 /// A dip of the width s at c: its minimum is at r = c − δ with r = 0.4 δ e^(−δ²/s²)/s², by iteration.
 #[test]
 fn narrow_dips_are_found() {

@@ -92,6 +92,16 @@ fn known(profile: &Profile) -> Known {
     }
 }
 
+/// Whether g of a profile is proved to fall nowhere up to a radius.
+#[cfg(feature = "mp")]
+pub(crate) fn rises_up_to(profile: &Profile, radius: &rug::Float) -> bool {
+    match profile {
+        Profile::Formula(formula) => formula.expression.rises_up_to(&formula.parameters, radius).unwrap_or(false),
+        Profile::Sum(terms) => terms.iter().all(|term| rises_up_to(term, radius)),
+        other => rises(other),
+    }
+}
+
 /// Whether g of a profile is proved to fall nowhere.
 fn rises(profile: &Profile) -> bool {
     if profile.has_formula() || profile.has_function() {

@@ -8,6 +8,7 @@ use mdr_numeric::proof::{CurveInDoubles, EnclosedCurve, EnclosedGaps, ProvedFold
 use rug::Float;
 use rug::float::Round;
 
+use super::admissible::rises_up_to;
 use super::certified::Certified;
 use super::digits::start;
 use super::model::{Model, SceneReal};
@@ -169,8 +170,8 @@ fn range(certified: &Certified<'_>) -> Result<Range> {
     sample::range(certified.search()?)
 }
 
-/// Admissibility on a medium where g is an integral that is proved to fall nowhere: no extrema on the range of the folds, and a rise beyond.
-/// `None` if that is not proved.
+/// Admissibility on a medium where g is an integral that is proved to fall nowhere: no extrema on the range of the folds, and a rise
+/// below and beyond. `None` if that is not proved, as of a profile that ends: towards its end g is not enclosed.
 ///
 /// # Errors
 /// Errors of the search for folds; a parameter out of its domain.
@@ -180,8 +181,10 @@ pub(super) fn of_proved_rise(certified: &Certified<'_>) -> Result<Option<Admissi
     let curve = Enclosed::new(certified, precision)?.curve();
     let proved = curve.plain().transform();
     let [lower, upper] = range.each_ref().map(|end| Interval::from_literal(precision, end));
-    let rises_beyond = proved.outer_radius().is_some() || rises_from(proved, upper.upper());
-    if !rises_beyond {
+    let rises_elsewhere = proved.outer_radius().is_none()
+        && rises_from(proved, upper.upper())
+        && rises_up_to(&certified.scene.profile, lower.upper());
+    if !rises_elsewhere {
         return Ok(None);
     }
     let extrema = decided(curve.extrema(lower.lower(), upper.upper(), BUDGET_OF_ROWS))?.flatten();

@@ -2,6 +2,7 @@
 
 #![cfg(feature = "mp")]
 
+mod rises;
 mod scans;
 mod shapes;
 mod waves;

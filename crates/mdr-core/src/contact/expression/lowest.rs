@@ -10,6 +10,7 @@
 use std::collections::BTreeMap;
 
 use rug::Float;
+use rug::float::Round;
 
 use super::breaks::SEARCHED;
 use super::jet::Jet;
@@ -68,14 +69,27 @@ impl Expression {
         let root = self.with_values(values)?;
         let outer = breaks.outer_radius(BITS);
         let end = outer.clone().unwrap_or_else(|| Float::with_val(BITS, SEARCHED.1));
-        let budget = BUDGET.min((OPERATIONS / self.operations().max(1)) as usize);
-        let cells = Cells { root: root.bound(Precision::new(BITS)), end, bounded: outer.is_some(), budget };
-        let rises = root.is_convex_by_form()
-            || cells.rise_from(Float::with_val(BITS, SEARCHED.0))
-            || cells.rising_tip(&root).is_some_and(|tip| cells.rise_from(tip));
+        let cells = self.cells(&root, end, outer.is_some());
+        let rises = cells.rise(&root);
         // r f' does not fall and begins at zero, so f rises from the tip.
         let lowest = if rises { Lowest::Tip } else { cells.lowest(&root) };
         Ok(FormulaShape { rises, lowest })
+    }
+
+    /// Whether r f' is proved not to fall up to a radius within the profile, so that g falls nowhere up to there. If not, it may fall or
+    /// not.
+    ///
+    /// # Errors
+    /// A name without a value, or a value without a name: see [`Expression::bind`].
+    pub fn rises_up_to(&self, values: &BTreeMap<String, Literal>, radius: &Float) -> Result<bool, ExpressionError> {
+        let root = self.with_values(values)?;
+        Ok(self.cells(&root, Float::with_val_round(BITS, radius, Round::Up).0, false).rise(&root))
+    }
+
+    /// All radii up to an end.
+    fn cells(&self, root: &Node<Constant>, end: Float, bounded: bool) -> Cells {
+        let budget = BUDGET.min((OPERATIONS / self.operations().max(1)) as usize);
+        Cells { root: root.bound(Precision::new(BITS)), end, bounded, budget }
     }
 }
 
@@ -193,6 +207,13 @@ impl Cells {
             let [.., third, fourth] = derivatives(r.clone());
             is_not_negative(&(third.times(3) + fourth * r))
         })
+    }
+
+    /// Whether r f' of a formula is proved not to fall on any of them.
+    fn rise(&self, root: &Node<Constant>) -> bool {
+        root.is_convex_by_form()
+            || self.rise_from(Float::with_val(BITS, SEARCHED.0))
+            || self.rising_tip(root).is_some_and(|tip| self.rise_from(tip))
     }
 
     /// Whether r f' is proved not to fall beyond a radius.

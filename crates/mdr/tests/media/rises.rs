@@ -1,0 +1,56 @@
+//! What is claimed of a g that rises: of all radii, or not at all.
+
+use mdr::answer::Admission;
+
+use crate::{GRIPS, LOAD, scene, solve};
+
+const GRADED: &str = "kind = \"graded\"\nexponent = \"0.3\"\ncoefficient = 1";
+const WINKLER: &str = "kind = \"winkler\"\nmodulus = 1";
+
+fn formula(text: &str) -> String {
+    format!("kind = \"expression\"\nformula = \"{text}\"")
+}
+
+/// Whether all folds are said to be admissible.
+fn all_admissible(medium: &str, profile: &str, control: &str, range: &str) -> bool {
+    let answer = solve(&scene(medium, &formula(profile), control, &format!("want = [\"folds\"]\n{range}\ndigits = 8")));
+    let folds = &answer.folds().expect("wanted").items;
+    assert!(!folds.is_empty(), "{profile}");
+    folds.iter().all(|fold| matches!(fold.admissible, Admission::Admissible))
+}
+
+#[test]
+fn a_rise_is_proved_where_r_f_falls() {
+    // (r f')' = 2r + 2.5r cos 10r + 0.25 sin 10r is negative somewhere; on springs that do not couple g is f, which rises.
+    assert!(all_admissible(WINKLER, "r^2/2 + 0.025*(1 - cos(10*r))", LOAD, ""));
+    // 4 in the place of 2.5: f falls too.
+    assert!(!all_admissible(WINKLER, "r^2/2 + 0.2*(1 - cos(10*r))", LOAD, ""));
+}
+
+/// r^60 falls beyond the range of the proof, before the root ends the profile.
+#[test]
+fn a_fall_beyond_the_range_is_no_rise() {
+    let profile = "r^2/2 - r^60 + 1e-9*(1 - sqrt(1 - r^2))";
+    assert!(!all_admissible(GRADED, profile, GRIPS, "folds.range = [\"1e-3\", \"0.5\"]"));
+    assert!(!all_admissible(GRADED, profile, GRIPS, ""));
+}
+
+/// f = r²/2 − r²/(1000r² + 1) falls next to the tip, below the range of the proof: where the surfaces touch first is not known there.
+#[test]
+fn a_fall_below_the_range_is_no_rise() {
+    let way = "kind = \"indentation\"\npath = [\"-0.1\", \"0.01\"]\nstart = \"detached\"";
+    let want = "want = [\"path\"]\nfolds.range = [\"0.05\", \"10\"]\ndigits = 8";
+    let answer = solve(&scene(WINKLER, &formula("r^2/2 - r^2/(1000*r^2 + 1)"), way, want));
+    let events: Vec<_> = answer.path().expect("wanted").events.items.iter().map(|event| event.event.name()).collect();
+    assert_eq!(events, ["undecided"]);
+}
+
+/// A flat that a dimple surrounds ends before the range of its folds does.
+#[test]
+fn a_profile_that_ends_within_the_range_has_its_fold() {
+    let sum = "kind = \"sum\"\n[[profile.term]]\nkind = \"flat-punch\"\nradius = 1\n[[profile.term]]\nkind = \"parabolic-dimple\"\n\
+               depth = \"0.1\"\nradius = 8";
+    let answer = solve(&scene(WINKLER, sum, LOAD, "want = [\"folds\"]\ndigits = 8"));
+    let [fold] = answer.folds().expect("wanted").items.as_slice() else { panic!("{answer:?}") };
+    assert_eq!(fold.contact_radius.to_f64(), Some(1.0));
+}
