@@ -17,7 +17,7 @@ const WIDEST: f64 = 1.03;
 const FINEST: f64 = 1.0 + 1e-9;
 /// The share of the heights after which another way is tried to decide a gap: beside something narrow that is soon found,
 const BEFORE_ANOTHER: u64 = 8;
-/// by the minima of d, or by rings of 1 + 2^−k contact radii, k up to so many.
+/// by the minima of d, or by rings of 1 + 2^−k and of 2^k contact radii, k up to so many.
 const RINGS: i64 = 30;
 /// The octaves beyond a contact in which an overlap is looked for where the gap is not known to be open far away.
 const NEAR: u32 = 4;
@@ -65,7 +65,11 @@ impl Outside<'_> {
             let another = if is_above { Some(Seen::Open) } else { self.closed_ring(place) };
             seen = another.unwrap_or_else(|| self.look(place, cells, self.heights));
         }
-        if let Seen::Open = seen { far.map(|_| seen) } else { Ok(seen) }
+        if let Seen::Open = seen {
+            // Near the contact only, where nothing is known of radii far away.
+            return far.map(|_| seen).or_else(|error| self.closed_ring(place).ok_or(error));
+        }
+        Ok(seen)
     }
 
     /// What is certain of the gap on some cells, wherever g is below the indentation; the first that is not open ends it.
@@ -97,8 +101,10 @@ impl Outside<'_> {
 
     /// A ring on which the gap is closed, near the contact or far from it.
     fn closed_ring(&self, place: &Place) -> Option<Seen> {
-        (1..=RINGS).find_map(|k| {
-            let radius = (place.a.lit(2).powi(-k) * &place.a + &place.a).midpoint();
+        let octave = |k: i64| place.a.lit(2).powi(k) * &place.a;
+        let near = (1..=RINGS).map(|k| octave(-k) + &place.a);
+        near.chain((1..=RINGS).map(octave)).find_map(|r| {
+            let radius = r.midpoint();
             let [gap, ..] = self.gap(place, &radius).ok()?;
             (*gap.upper() < 0).then(|| Seen::Closed { radius: radius.approx(), gap: gap.approx() })
         })
