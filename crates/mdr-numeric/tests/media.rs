@@ -181,6 +181,49 @@ fn quadratures_are_the_closed_forms() {
     compare(&Weighted::graded(kinked(), 0.0), &Quadrature::new(kinked()), "kinked");
 }
 
+/// In doubles a formula has its kinks where its own roundings put them, which may be at a millionth of the radius, or a rounding below it.
+#[test]
+#[cfg(feature = "mp")]
+fn kinks_that_a_formula_rounds() {
+    use mdr_core::contact::{Expression, Profile};
+    use mdr_core::number::{Precision, Real, Special};
+    use rug::Float;
+
+    fn transform<R: Special>(formula: &str, ctx: R::Ctx, k: &str) -> Weighted<R, impl Profile<R> + use<R>> {
+        let (formula, none): (Expression, _) = (formula.parse().unwrap(), Default::default());
+        let profile = formula.bind(ctx, &none).unwrap().broken_at(ctx, &formula.breaks(&none).unwrap());
+        Weighted::graded(profile, R::from_literal(ctx, &k.parse().unwrap()))
+    }
+    let kink: f64 = 0.3 * 0.5761;
+    // Within the roundings of the kink there is a side to be on.
+    for x in [kink.next_down(), kink, kink.next_up(), kink * (1.0 + 1e-15)] {
+        for formula in ["max(r/0.5761 - 0.3, 0)^2", "r^2 + max(r/0.5761 - 0.3, 0)"] {
+            assert!(transform::<f64>(formula, (), "0.5").slope(&x).is_ok(), "{formula} {x}");
+        }
+    }
+    let (far, near) = ([1.3, 40.0, 1e3, 3e5, 2e6, 1e8, 1e12], [1e-6, 1e-3]);
+    let radii = far.iter().map(|ratio| kink * ratio).chain(near.iter().map(|share| kink * (1.0 + share)));
+    for x in radii {
+        for (formula, k) in [("max(r/0.5761 - 0.3, 0)^2", "-0.5"), ("r^2 + max(r/0.5761 - 0.3, 0)", "0.5")] {
+            let ctx = Precision::new(160);
+            let (doubles, truth) = (transform::<f64>(formula, (), k), transform::<Float>(formula, ctx, k));
+            let exact = Float::from_f64(ctx, x);
+            let pairs = [
+                (doubles.g(&x), truth.g(&exact)),
+                (doubles.slope(&x), truth.slope(&exact)),
+                (doubles.mean(&x), truth.mean(&exact)),
+            ];
+            // The distance from the kink has few digits.
+            let lost = 4e-15 * x / (x - kink);
+            for (index, (value, truth)) in pairs.into_iter().enumerate() {
+                let at = format!("{formula} {index} {x:e}");
+                let (value, truth) = (value.expect(&at), truth.expect(&at).to_f64());
+                assert!((value - truth).abs() <= (1e-12 + lost) * truth.abs(), "{at}: {value} {truth}");
+            }
+        }
+    }
+}
+
 /// Maugis and Dugdale on a graded half-space: values that were computed elsewhere, and the half-space as k = 0.
 #[test]
 fn a_ring_of_attraction_on_a_graded_half_space() {

@@ -42,6 +42,10 @@ pub struct Weighted<R, P> {
     heights: Arc<AtomicU64>,
 }
 
+/// The least distance from a kink at which the profile is evaluated, in unit roundoffs: twice that to which the comparisons of a formula
+/// such as max(r/R − 3/10, 0) tell on which side a radius is.
+const BESIDE: i64 = 16;
+
 /// The integrands of J.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Part {
@@ -53,6 +57,27 @@ enum Part {
     Transform,
     /// D of it.
     Slope,
+}
+
+/// Where a kink cuts a stretch.
+#[derive(Clone)]
+struct Cut<'k, R> {
+    place: R,
+    kink: &'k R,
+}
+
+/// Values of v from the edge of the contact, v = 0, or of 1 − v from its axis, up to an end.
+struct Stretch<'k, R> {
+    is_from_axis: bool,
+    end: R,
+    /// Those at the end included.
+    cuts: Vec<Cut<'k, R>>,
+}
+
+impl<R: PartialEq> Stretch<'_, R> {
+    fn kink_at(&self, place: &R) -> Option<&R> {
+        self.cuts.iter().find(|cut| cut.place == *place).map(|cut| cut.kink)
+    }
 }
 
 impl<R: Special, P: Profile<R>> Weighted<R, P> {
@@ -126,45 +151,49 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
     fn integral(&self, part: Part, x: &R, needed: &R) -> Result<Estimate<R>> {
         self.check(x)?;
         let (zero, one) = (x.lit(0), x.lit(1));
-        let inner: Vec<&R> = self.kinks.iter().filter(|kink| *kink < x).collect();
-        let breaks: Vec<R> = inner.iter().map(|kink| self.position(kink, x)).collect();
-        // The radius two numbers above or below the kink at a break: radii are rounded to their side of it.
-        let beside = |place: &R, side: i64| {
-            let index = breaks.iter().position(|at| at == place)?;
-            Some(x.unit_roundoff().times(2 * side) * inner[index] + inner[index])
-        };
         let goal = roundoff_tolerance(x).times(4);
         let tolerance = Tolerance::new(&goal).or_noise_below(x.unit_roundoff().sqrt()).or_error_below(needed);
+        let inner: Vec<&R> = self.kinks.iter().filter(|kink| *kink < x).collect();
         let mut count = 0;
-        let estimate = pieces(&zero, &one, &breaks, |from, to| {
-            let (least, most) = (beside(to, 1), beside(from, -1));
-            tanh_sinh_near_ends(from, to, tolerance.clone(), |node| {
-                count += 1;
-                let from_lower = if *from == zero { node.from_lower.clone() } else { node.x.clone() };
-                let from_upper = if *to == one { node.from_upper.clone() } else { one.clone() - &node.x };
-                let sine = self.sine(&from_lower, &from_upper);
-                // Closer to the tip powers of r leave the range, and contribute nothing.
-                if !(sine.clone() > sine.unit_roundoff().square()) {
-                    return Ok(zero.clone());
-                }
-                let radius = match (&least, &most) {
-                    (Some(least), _) if sine.clone() * x < *least => least.lesser(x),
-                    (_, Some(most)) if sine.clone() * x > *most => most.clone(),
-                    _ => sine.clone() * x,
-                };
-                let height = self.at(part, &radius);
-                Ok(match &self.weight {
-                    Weight::Line(Some(reference)) if part == Part::Height => {
-                        let share = sine.clone() * x / reference;
-                        height / sine / (one.clone() - share.square())
+        let mut over = |stretch: &Stretch<'_, R>| {
+            let places: Vec<R> = stretch.cuts.iter().map(|cut| cut.place.clone()).collect();
+            pieces(&zero, &stretch.end, &places, |from, to| {
+                let [least, most] = self.sides(stretch, x, [from, to]);
+                tanh_sinh_near_ends(from, to, tolerance.clone(), |node| {
+                    count += 1;
+                    let near = if *from == zero { node.from_lower.clone() } else { node.x.clone() };
+                    let far = if *to == one { node.from_upper.clone() } else { one.clone() - &node.x };
+                    let sine = if stretch.is_from_axis { self.sine(&far, &near) } else { self.sine(&near, &far) };
+                    // Closer to the tip powers of r leave the range, and contribute nothing.
+                    if !(sine.clone() > sine.unit_roundoff().square()) {
+                        return Ok(zero.clone());
                     }
-                    Weight::Line(_) => height / sine,
-                    _ => height,
+                    let radius = match (&least, &most) {
+                        (Some(least), _) if sine.clone() * x < *least => least.clone(),
+                        (_, Some(most)) if sine.clone() * x > *most => most.clone(),
+                        _ => sine.clone() * x,
+                    };
+                    let height = self.at(part, &radius);
+                    Ok(match &self.weight {
+                        Weight::Line(Some(reference)) if part == Part::Height => {
+                            let share = sine.clone() * x / reference;
+                            height / sine / (one.clone() - share.square())
+                        }
+                        Weight::Line(_) => height / sine,
+                        _ => height,
+                    })
                 })
             })
+        };
+        let estimate = self.stretches(&inner, x).iter().try_fold(Estimate::exact(zero.clone()), |mut sum, stretch| {
+            sum += &over(stretch)?;
+            Ok(sum)
         });
         self.heights.fetch_add(count, Ordering::Relaxed);
         let mut estimate = estimate.map_err(|error| match error {
+            Error::NoConvergence { .. } if self.overflows(x) => {
+                Error::OutOfRange { quantity: Quantity::TransformedProfile, log10: f64::INFINITY }
+            }
             Error::NoConvergence { evaluations, error, .. } => {
                 Error::NoConvergence { quantity: Quantity::TransformedProfile, evaluations, error }
             }
@@ -188,6 +217,58 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         Ok(estimate)
     }
 
+    /// The domain of v cut at kinks below x: of those next to the axis the places in 1 − v, which keep their digits there.
+    fn stretches<'k>(&self, inner: &[&'k R], x: &R) -> Vec<Stretch<'k, R>> {
+        let (one, half) = (x.lit(1), x.ratio(1, 2));
+        let cut = |kink: &&'k R| Cut { place: self.position(kink, x), kink: *kink };
+        let (edge, rest): (Vec<_>, Vec<_>) = inner.iter().map(cut).partition(|cut| cut.place < half);
+        if rest.is_empty() {
+            return vec![Stretch { is_from_axis: false, end: one, cuts: edge }];
+        }
+        let from_axis = |cut: Cut<'k, R>| Cut { place: self.position_from_axis(cut.kink, x), ..cut };
+        let mut axis: Vec<_> = rest.into_iter().map(from_axis).collect();
+        // The kink farthest from the edge, of those that are counted from there.
+        let border = edge.iter().reduce(|one, other| if other.place > one.place { other } else { one });
+        let Some(border) = border.cloned() else {
+            return vec![Stretch { is_from_axis: true, end: one, cuts: axis }];
+        };
+        let ends = [border.place.clone(), one - &border.place];
+        axis.push(Cut { place: ends[1].clone(), ..border });
+        let [to_border, to_axis] = ends;
+        vec![
+            Stretch { is_from_axis: false, end: to_border, cuts: edge },
+            Stretch { is_from_axis: true, end: to_axis, cuts: axis },
+        ]
+    }
+
+    /// The least and the greatest radius at which the profile is evaluated on a piece that a kink ends: a few numbers beside it, where the
+    /// formula of that side holds, though it was rounded too. Below a kink that is not told apart from x all radii are on one side.
+    fn sides(&self, stretch: &Stretch<'_, R>, x: &R, piece: [&R; 2]) -> [Option<R>; 2] {
+        let [inner, outer] = if stretch.is_from_axis { piece } else { [piece[1], piece[0]] };
+        let beside = |kink: &R, side: i64| x.unit_roundoff().times(side * BESIDE) * kink + kink;
+        let least = stretch.kink_at(inner).map(|kink| {
+            let least = beside(kink, 1);
+            let exists = self.profile.outer_radius().is_none_or(|outer| least < outer);
+            if exists { least } else { least.lesser(x) }
+        });
+        let is_edge = if stretch.is_from_axis { *outer == x.lit(1) } else { *outer == x.lit(0) };
+        let most = match stretch.kink_at(outer) {
+            Some(kink) => Some(beside(kink, -1)),
+            None if is_edge => {
+                let mut beyond = self.kinks.iter().filter(|kink| *kink >= x).map(|kink| beside(kink, -1));
+                beyond.find(|most| most < x)
+            }
+            None => None,
+        };
+        [least, most]
+    }
+
+    /// Whether f at x is so large that sums over it leave the range of the arithmetic.
+    fn overflows(&self, x: &R) -> bool {
+        let size = self.at(Part::Height, x).abs();
+        size > x.lit(0) && !size.times(1 << 24).is_finite()
+    }
+
     fn is_of_line(&self) -> bool {
         matches!(self.weight, Weight::Line(_))
     }
@@ -195,6 +276,12 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
     /// v at a kink.
     fn position(&self, kink: &R, x: &R) -> R {
         cosine(kink, x).pow(&self.order)
+    }
+
+    /// 1 − v at a kink.
+    fn position_from_axis(&self, kink: &R, x: &R) -> R {
+        let share = kink.clone() / x;
+        -((-share.square()).ln_1p() * &self.order).over(2).exp_m1()
     }
 
     /// The part of a jump of Df at a kink in x g': sin²θ cos^(k−1)θ, and tanθ in line contact.
