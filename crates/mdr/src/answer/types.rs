@@ -127,6 +127,15 @@ impl<T> AtValue<T> {
         AtValue { value: value.clone(), items, proved: None, status, why: None }
     }
 
+    /// The result of a search that was not resolved everywhere: where it found nothing, there may be something.
+    pub(crate) fn doubted(self) -> Self {
+        if self.status != Status::NoEquilibrium {
+            return self;
+        }
+        let why = "whether there is an equilibrium: the search for folds was not resolved everywhere";
+        AtValue { status: Status::Undecided, why: Some(why.to_owned()), ..self }
+    }
+
     /// The items at the value of two results, and the weaker status.
     pub(crate) fn and(mut self, other: Self) -> Self {
         self.items.extend(other.items);

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use mdr_core::contact::{self, Error, Result, Stability, Status};
+use mdr_core::contact::{self, Error, Result, Stability};
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, GapVerdict};
 use mdr_numeric::branch::EquilibriumBranches;
@@ -13,7 +13,7 @@ use mdr_numeric::path::{ContactState, Path};
 use super::model::{Model, SceneReal};
 use super::verdict;
 use crate::answer::AtValue;
-use crate::scene::Scene;
+use crate::scene::{Scene, Start};
 
 /// How many octaves from the folds equilibria are looked for.
 const REACH: i64 = 1000;
@@ -69,11 +69,8 @@ impl<'a, R: SceneReal> States<'a, R> {
     ) -> Result<AtValue<T>> {
         match self.at(literal) {
             Ok((states, completeness)) => {
-                let mut at = AtValue::new(literal, states.into_iter().map(describe).collect::<Result<_>>()?);
-                if completeness == SearchQuality::Doubtful && at.status == Status::NoEquilibrium {
-                    at.status = Status::Undecided;
-                }
-                Ok(at)
+                let at = AtValue::new(literal, states.into_iter().map(describe).collect::<Result<_>>()?);
+                Ok(if completeness == SearchQuality::Doubtful { at.doubted() } else { at })
             }
             Err(error @ (Error::Undecided { .. } | Error::NoConvergence { .. } | Error::BudgetSpent { .. })) => {
                 Ok(AtValue::open(literal, &error))
@@ -101,7 +98,10 @@ impl<'a, R: SceneReal> States<'a, R> {
         match (values, self.scene.path.first()) {
             ([], Some(first)) => {
                 let state = self.first(first)?;
-                Ok(vec![AtValue::new(first, state.into_iter().map(describe).collect::<Result<_>>()?)])
+                let at = AtValue::new(first, state.into_iter().map(describe).collect::<Result<_>>()?);
+                let is_known =
+                    self.scene.start == Start::Detached || self.branches.completeness() != SearchQuality::Doubtful;
+                Ok(vec![if is_known { at } else { at.doubted() }])
             }
             (values, _) => values.iter().map(|literal| self.described_at(literal, &describe)).collect(),
         }

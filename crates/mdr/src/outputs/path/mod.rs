@@ -228,6 +228,8 @@ impl LoadingPath {
         match other {
             Ok(other) if kinds(&other.events) == kinds(&self.events.items) => self.with_energy_of(Promise::F64, other),
             Ok(_) => self.without_energy("energies are not enclosed, and f64 finds other events"),
+            Err(mdr_core::contact::Error::NoEquilibrium { .. }) => self
+                .without_energy("energies are not enclosed, and f64 does not find the state in which the path starts"),
             Err(error) => self.without_energy(&error.to_string()),
         }
     }
