@@ -262,6 +262,9 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
 
     /// The surfaces are separated, and the controlled quantity increases to `target`, or is there at the start: they
     /// touch at zero, or before on a ring, where the path ends. Returns whether they touch at the tip.
+    ///
+    /// # Errors
+    /// [`Error::Unproved`] where a dimple at the tip touches before it, and it is not known at which depth.
     pub(super) fn approach(&mut self, target: &R) -> Result<bool> {
         if self.place != Position::Detached {
             return Ok(false);
@@ -285,10 +288,12 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
         let zero = target.lit(0);
         let side = certain(target, &zero, self.branches)?;
         match self.branches.onset()? {
-            FirstContact::Dimple if side != Ordering::Less || *target > self.value => {
-                let value = self.value.clone();
-                self.leave(EventKind::NotAdmissible, &value);
-                Ok(false)
+            // The search for the first touch found none before the tip.
+            FirstContact::Dimple => {
+                let [from, to] = [&self.value, target].map(|value| value.approx().to_string());
+                let remedy =
+                    "a dimple at the tip is narrower than the search for the first touch resolves; begin in contact";
+                Err(Error::Unproved { quantity: Quantity::Indentation, from, to, remedy })
             }
             // The springs reach further than the surfaces have to come.
             FirstContact::Smooth if self.branches.tip_value(&zero) < zero => {
@@ -306,7 +311,7 @@ impl<R: Real, B: EquilibriumBranches<R>> Follower<'_, R, B> {
                 self.jump_in(&zero, 1)?;
                 Ok(true)
             }
-            FirstContact::Smooth | FirstContact::Abrupt | FirstContact::Dimple => Ok(false),
+            FirstContact::Smooth | FirstContact::Abrupt => Ok(false),
         }
     }
 

@@ -1,6 +1,7 @@
 //! What is claimed of a g that rises: of all radii, or not at all.
 
 use mdr::answer::Admission;
+use mdr::prelude::*;
 
 use crate::{GRIPS, LOAD, scene, solve};
 
@@ -53,4 +54,20 @@ fn a_profile_that_ends_within_the_range_has_its_fold() {
     let answer = solve(&scene(WINKLER, sum, LOAD, "want = [\"folds\"]\ndigits = 8"));
     let [fold] = answer.folds().expect("wanted").items.as_slice() else { panic!("{answer:?}") };
     assert_eq!(fold.contact_radius.to_f64(), Some(1.0));
+}
+
+/// Far below a dip f has its slope, e⁻⁶⁴ times that beside it, so that f is lowest on a ring of 10⁻²⁸: at which depth the surfaces touch is
+/// proved by none, and doubles take the tip.
+#[test]
+fn a_dimple_below_all_radii_is_the_tip() {
+    let way = "kind = \"indentation\"\npath = [\"-1\", \"0.5\"]\nstart = \"detached\"";
+    let dip = formula("0.1*r^2 - 2.5e-4*(exp(-((r - 0.16)/0.02)^2) - exp(-64))");
+    for medium in [GRADED, "kind = \"half-space\""] {
+        let modulus = if medium == GRADED { "" } else { "e_star = 1\n" };
+        let text = scene(medium, &dip, way, "want = [\"path\"]\ndigits = 40");
+        let answer = solve(&text.replace("work_of", &format!("{modulus}work_of")).replace("1/100", "1e-4"));
+        let events = &answer.path().expect("wanted").events;
+        let kinds: Vec<_> = events.items.iter().map(|event| event.event.name()).collect();
+        assert_eq!((events.promise, kinds.as_slice()), (Promise::F64, &["start", "jump-in", "end"][..]), "{medium}");
+    }
 }
