@@ -4,13 +4,14 @@ use std::cell::OnceCell;
 use std::sync::Arc;
 
 use mdr_core::calculus::Estimate;
-use mdr_core::contact::{Edge, Fold, Result, Status};
+use mdr_core::contact::{Budget, Edge, Fold, Result, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::Admissibility;
 use mdr_numeric::folds::{self, Folds, OutOfRangeFold, SearchQuality};
 
 use super::model::Model;
 use super::states::States;
+use super::weight::weight;
 use super::{Once, admissible, once};
 use crate::answer::record::Numbers;
 use crate::answer::{Completeness, List, Number, Promise, Value};
@@ -21,6 +22,9 @@ use crate::scene::Scene;
 /// end take, of which the first folds are proved.
 #[cfg(feature = "mp")]
 const BEFORE_PROOF: u64 = 2_500_000;
+
+/// The part of the budget, inverse, that a search for the folds of a formula may take.
+const PART_OF_SEARCH: u64 = 3;
 
 /// The contact in f64; its folds are searched when something needs them, and once.
 pub(crate) struct Search<'s> {
@@ -34,13 +38,14 @@ pub(crate) struct Search<'s> {
     remark: Option<String>,
     /// Whether a proof of its folds was begun and not finished.
     is_open: bool,
+    budget: Arc<Budget>,
 }
 
 impl<'s> Search<'s> {
     /// # Errors
     /// A parameter of the profile or the material that is out of its domain.
     pub(crate) fn new(scene: &'s Scene, counts: &Counts) -> Result<Self> {
-        Ok(Search::with(scene, Model::new(scene, (), counts)?, false))
+        Ok(Search::with(scene, Model::new(scene, (), counts)?, false, counts[0].budget()))
     }
 
     /// The lengths of the contact alone, for other arithmetics to start from. Folds whose force is out of range are among them.
@@ -49,7 +54,7 @@ impl<'s> Search<'s> {
     /// A number that no double holds; a parameter out of its domain. See [`Model::in_units_of_modulus`].
     #[cfg(feature = "mp")]
     pub(crate) fn of_lengths(scene: &'s Scene, counts: &Counts) -> Result<Self> {
-        Ok(Search::with(scene, Model::in_units_of_modulus(scene, counts)?, true))
+        Ok(Search::with(scene, Model::in_units_of_modulus(scene, counts)?, true, counts[0].budget()))
     }
 
     /// The contact in SI units, with the folds that were found at its lengths.
@@ -74,9 +79,9 @@ impl<'s> Search<'s> {
         Ok(Search { folds: OnceCell::from(Ok(Folds { folds, ..found.clone() })), ..search })
     }
 
-    fn with(scene: &'s Scene, model: Model<f64>, radii_suffice: bool) -> Self {
-        let (folds, admissibility) = (OnceCell::new(), OnceCell::new());
-        Search { scene, model, folds, admissibility, radii_suffice, remark: None, is_open: false }
+    fn with(scene: &'s Scene, model: Model<f64>, radii_suffice: bool, budget: &Arc<Budget>) -> Self {
+        let (folds, admissibility, budget) = (OnceCell::new(), OnceCell::new(), Arc::clone(budget));
+        Search { scene, model, folds, admissibility, radii_suffice, remark: None, is_open: false, budget }
     }
 
     /// With what is known of the admissible states, something to be said beside how folds were searched, and whether a proof was left
@@ -88,7 +93,7 @@ impl<'s> Search<'s> {
 
     /// The contact at the work of adhesion of one edge; `scene` is that of the edge.
     pub(crate) fn at<'t>(&self, scene: &'t Scene, edge: Edge) -> Search<'t> {
-        Search::with(scene, self.model.at(edge), self.radii_suffice)
+        Search::with(scene, self.model.at(edge), self.radii_suffice, &self.budget)
     }
 
     /// The admissible states: searched when they are needed, and once, around the folds that were found.
@@ -131,12 +136,15 @@ impl<'s> Search<'s> {
         })
     }
 
-    /// The most heights of the profile for a search, where a proof by integrals follows it.
+    /// The most heights of a formula for a search: fewer where a proof by integrals follows it, and of waves without end no more than leave
+    /// something of the budget for states.
     fn most_heights(&self) -> Option<u64> {
         #[cfg(feature = "mp")]
-        return (self.radii_suffice && self.scene.takes_integrals()).then_some(BEFORE_PROOF);
-        #[cfg(not(feature = "mp"))]
-        None
+        if self.radii_suffice && self.scene.takes_integrals() {
+            return Some(BEFORE_PROOF);
+        }
+        let left = self.budget.left().filter(|_| self.scene.profile.has_formula())?;
+        Some(left / PART_OF_SEARCH / weight(&self.scene.profile, 0, f64::MANTISSA_DIGITS).max(1))
     }
 
     /// The equilibria around the folds.
