@@ -67,7 +67,7 @@ fn collect(profile: &Profile, terms: &mut Vec<Term>) -> std::result::Result<bool
             terms.push(Term::Formula(formula.expression.clone(), parameters, Box::new(breaks)));
         }
         Profile::Shape(shape) => {
-            let (formula, values) = shape.formula()?;
+            let (formula, values) = shape.formula_to_pole()?;
             let breaks = formula.breaks(&values)?;
             terms.push(Term::Formula(formula, values, Box::new(breaks)));
         }

@@ -2,6 +2,7 @@
 
 use mdr::answer::Admission;
 use mdr::prelude::*;
+use mdr_numeric::admissible::Basis;
 
 use crate::{GRIPS, LOAD, scene, solve};
 
@@ -69,5 +70,21 @@ fn a_dimple_below_all_radii_is_the_tip() {
         let events = &answer.path().expect("wanted").events;
         let kinds: Vec<_> = events.items.iter().map(|event| event.event.name()).collect();
         assert_eq!((events.promise, kinds.as_slice()), (Promise::F64, &["start", "jump-in", "end"][..]), "{medium}");
+    }
+}
+
+/// A small contact on the tip within a dimple overlaps at its rim, which the formula of all of the dimple does not show: it has two kinks there.
+#[test]
+fn a_contact_within_a_dimple_is_not_admissible() {
+    let dimple = "kind = \"elliptical-dimple\"\ndepth = \"0.1\"\nradius = 1";
+    let bump = formula("-0.1*(1 - exp(-r^2))");
+    for profile in [dimple, &bump] {
+        let want = "want = [\"equilibria\"]\nequilibria.at = [\"-0.001\"]\ndigits = 8";
+        let text = scene("kind = \"half-space\"", profile, GRIPS, want).replace("1/100", "1e-4");
+        let answer = solve(&text.replace("work_of", "e_star = 1\nwork_of"));
+        let states = answer.equilibria().expect("wanted");
+        let state = &states.items[0].items[0];
+        assert!(matches!(state.admissible, Admission::Interpenetrating { .. }), "{profile} {state:?}");
+        assert_eq!(answer.admissibility, Some(Basis::Proved));
     }
 }

@@ -37,6 +37,29 @@ impl Shape<Literal> {
         let values = self.symbols().iter().zip(self.parameters());
         Ok((text.parse()?, values.map(|(symbol, (_, value))| ((*symbol).to_owned(), value.clone())).collect()))
     }
+
+    /// The profile as a formula up to where its transform g diverges, which is the edge of an elliptical dimple: there the formula of all of
+    /// it has two kinks at one radius, whose order no enclosure tells. All of it for other shapes.
+    ///
+    /// # Errors
+    /// The text is no formula.
+    ///
+    /// ```
+    /// use mdr_core::contact::{Profile, Shape};
+    /// use mdr_core::number::Literal;
+    /// let dimple = Shape::EllipticalDimple { depth: 1, radius: 5 }.map(|_, length| Literal::from(*length));
+    /// let (formula, values) = dimple.formula_to_pole()?;
+    /// let inside = formula.bind::<f64>((), &values)?.broken_at((), &formula.breaks(&values)?);
+    /// assert_eq!((inside.height(&3.0), inside.outer_radius()), (0.8 - 1.0, Some(5.0)));
+    /// # Ok::<(), mdr_core::contact::ExpressionError>(())
+    /// ```
+    pub fn formula_to_pole(&self) -> Result<(Expression, BTreeMap<String, Literal>), ExpressionError> {
+        let (formula, values) = self.formula()?;
+        Ok(match self {
+            Shape::EllipticalDimple { .. } => ("h*(sqrt(1 - r^2/b^2) - 1)".parse()?, values),
+            _ => (formula, values),
+        })
+    }
 }
 
 /// A formula with a text for each symbol that stands alone.
