@@ -325,18 +325,38 @@ fn radii_out_of_the_domain_are_refused() {
     }
     assert!(sphere.g(&number("0.99999999", 64)).unwrap().accuracy_bits() > 30);
 }
-/// The folds from 10⁻⁶ to 1, proved to be all, with hardly any adhesion.
-pub(crate) fn all_folds(formula: &str) -> Vec<(FoldKind, f64)> {
+
+/// The curve with hardly any adhesion.
+fn curve(formula: &str) -> EnclosedCurve {
     let transform = enclosed(formula, 64);
     let (plain, moving) = (Arc::new(transform.clone()), Arc::new(EnclosedWithSlopes::new(transform)));
     let [one, work] = ["1", "1e-12"].map(|text| number(text, 64));
     let material = Material::new(Dual::constant(one.clone()), Dual::constant(work.clone())).unwrap();
     let moving = Contact::half_space(&moving, &material, &Control::Indentation);
     let plain = Contact::half_space(&plain, &Material::new(one, work).unwrap(), &Control::Indentation);
-    let curve = EnclosedCurve::new(plain, moving).by_integrals();
-    let found = curve.folds(number("1e-6", 64).lower(), number("1", 64).lower(), 2000).unwrap();
+    EnclosedCurve::new(plain, moving).by_integrals()
+}
+
+/// The folds from 10⁻⁶ to 1, proved to be all, with hardly any adhesion.
+pub(crate) fn all_folds(formula: &str) -> Vec<(FoldKind, f64)> {
+    let found = curve(formula).folds(number("1e-6", 64).lower(), number("1", 64).lower(), 2000).unwrap();
     assert!(found.is_complete(), "{:?}", found.undecided);
     found.folds.iter().map(|fold| (fold.kind, fold.contact_radius.approx())).collect()
+}
+
+/// Of radii beyond the end of the profile nothing is proved.
+#[test]
+fn extrema_of_a_profile_that_ends() {
+    let found = |formula: &str, to: &str| {
+        let radii = ["1e-3", to].map(|end| number(end, 64).lower().clone());
+        curve(formula).extrema(&radii[0], &radii[1], 2000)
+    };
+    let falling = "r^2 - r^4 + 1e-3*(1 - sqrt(1 - r^2))";
+    // g' = 4x − 32x³/3 and little more.
+    let inside = found(falling, "0.9").unwrap().expect("all");
+    assert!(inside.len() == 1 && inside[0].contains(&Float::with_val(64, 0.375f64.sqrt())), "{inside:?}");
+    assert!(found("r^2 + 1e-3*(1 - sqrt(1 - r^2))", "0.9").unwrap().expect("all").is_empty());
+    assert!(matches!(found(falling, "2"), Err(Error::Unproved { .. })));
 }
 
 /// The extrema of g of (r²/2 − max(0, r − c)/10), c = 1/10 no binary fraction: a maximum at the kink, and a minimum beyond.

@@ -1,7 +1,7 @@
 //! The extrema of g: what decides whether a contact is admissible.
 
 use mdr_core::calculus::isolate::{Behaviour, isolate};
-use mdr_core::contact::{Error, Result, Slopes, Transform};
+use mdr_core::contact::{Error, Quantity, Result, Slopes, Transform};
 use mdr_core::number::{Dual, Interval, Real};
 use rug::Float;
 
@@ -40,7 +40,7 @@ impl EnclosedCurve {
     /// between two kinks; `None` if some may be missing.
     ///
     /// # Errors
-    /// Errors of the transform.
+    /// Errors of the transform; [`Error::Unproved`] of a range that reaches beyond the profile.
     pub fn extrema(&self, lower: &Float, upper: &Float, budget: usize) -> Result<Option<Vec<Interval>>> {
         let transform = self.plain.transform();
         let mut extrema = Vec::new();
@@ -90,10 +90,10 @@ impl EnclosedCurve {
         Ok(isolation.undecided.is_empty())
     }
 
-    /// g', the entire line off the domain of the profile.
+    /// g', of which nothing is proved off the domain of the profile.
     fn slope_of_g(&self, x: &Interval) -> Result<Interval> {
         match self.plain.transform().slope(x) {
-            Err(Error::Domain { .. }) => Ok(Interval::entire(x.ctx())),
+            Err(Error::Domain { .. }) => Err(Error::unproved(Quantity::Radius, x, "name radii within the profile")),
             slope => slope,
         }
     }
