@@ -99,12 +99,15 @@ impl<'a, R: SceneReal> States<'a, R> {
             ([], Some(first)) => {
                 let state = self.first(first)?;
                 let at = AtValue::new(first, state.into_iter().map(describe).collect::<Result<_>>()?);
-                let is_known =
-                    self.scene.start == Start::Detached || self.branches.completeness() != SearchQuality::Doubtful;
-                Ok(vec![if is_known { at } else { at.doubted() }])
+                Ok(vec![if self.may_miss_start() { at.doubted() } else { at }])
             }
             (values, _) => values.iter().map(|literal| self.described_at(literal, &describe)).collect(),
         }
+    }
+
+    /// Whether the path may have a state to start from where none is found.
+    pub(crate) fn may_miss_start(&self) -> bool {
+        self.scene.start != Start::Detached && self.branches.completeness() == SearchQuality::Doubtful
     }
 
     /// The equilibrium in which the path starts; `None` if it cannot start, or if the surfaces are apart.

@@ -88,3 +88,17 @@ fn a_contact_within_a_dimple_is_not_admissible() {
         assert_eq!(answer.admissibility, Some(Basis::Proved));
     }
 }
+
+/// In doubles the kink is anywhere within a millionth of its radius, and nothing is seen above it: there may be a state to start from.
+#[test]
+fn a_start_that_is_not_found_is_not_denied() {
+    let graded = "kind = \"graded\"\nexponent = \"-0.5\"\ncoefficient = 1";
+    let (way, want) =
+        ("kind = \"indentation\"\npath = [\"-0.05\", \"-0.2\"]", "want = [\"energy\"]\narithmetic = \"f64\"");
+    let text = scene(graded, &formula("max((r + 1000) - 1000.17283, 0)^1.5"), way, want);
+    for work in ["\"1/100\"", "{ advancing = \"1/1000\", receding = \"1/100\" }"] {
+        let answer = solve(&text.replace("\"1/100\"", work));
+        let [start] = answer.energy().expect("wanted").items.as_slice() else { panic!("{answer:?}") };
+        assert_eq!(start.status, Status::Undecided, "{work}");
+    }
+}

@@ -94,7 +94,9 @@ pub(crate) fn first<R: SceneReal, T>(
         Err(Error::NoEquilibrium { .. }) => None,
         Err(error) => return Err(error),
     };
-    Ok(vec![AtValue::new(value, held.into_iter().map(|held| describe(receding, held)).collect::<Result<_>>()?)])
+    let at = AtValue::new(value, held.into_iter().map(|held| describe(receding, held)).collect::<Result<_>>()?);
+    let is_doubted = [advancing, receding].iter().any(|states| states.may_miss_start());
+    Ok(vec![if is_doubted { at.doubted() } else { at }])
 }
 
 /// The events of the path and the balance of its energy.
