@@ -6,6 +6,7 @@
 use mdr::answer::{Dissipation, LoadingPath, Optional, PathEvent};
 use mdr::prelude::*;
 use mdr::{Error, no_files};
+use std::f64::consts::PI;
 
 fn scene(profile: &str, works: [&str; 2], control: &str, output: &str) -> Result<Scene, Error> {
     let [advancing, receding] = works;
@@ -513,4 +514,36 @@ fn a_gap_that_is_constant_over_hundreds_of_octaves() {
     let way = "kind = \"indentation\"\npath = [\"-0.7\", \"-1\"]\nstart = \"0.7\"";
     let scene = scene(dimple, ["0.03", "0.16"], way, "want = [\"path\"]\narithmetic = \"f64\"").unwrap();
     assert_eq!(kinds(&path(&scene)), ["start", "not-admissible"]);
+}
+
+/// A way point 10⁻⁴⁰ m below the start, which radii of 12 digits do not tell apart: the edge has receded by 10⁻⁴⁰/d' all the same.
+#[test]
+fn an_edge_that_hardly_recedes_loses_something() {
+    let way = "kind = \"indentation\"\npath = [\"0.1\", \"0.0999999999999999999999999999999999999999\", \"0.1\"]";
+    let found = path(&scene(BALL, ["0.01", "0.04"], way, "want = [\"path\"]\ndigits = 12").unwrap());
+    let lost = |event: &PathEvent| match &event.hysteresis {
+        Optional(Some(Value::Known(lost))) => lost.to_string().parse::<f64>().unwrap(),
+        other => panic!("{other:?}"),
+    };
+    // d = a² − Δl with Δl² = 2πa w₂, by Newton's iteration.
+    let elongation = |a: f64| (0.08 * PI * a).sqrt();
+    let slope = |a: f64| 2.0 * a - elongation(a) / (2.0 * a);
+    let a = (0..20).fold(1.0, |a, _| a - (a * a - elongation(a) - 0.1) / slope(a));
+    let expected = 0.03 * 2.0 * PI * a * 1e-40 / slope(a);
+    let way_point = event(&found, "way-point");
+    assert!((lost(way_point) / expected - 1.0).abs() < 1e-10, "{} {expected}", lost(way_point));
+    // On the way back it is pinned.
+    assert_eq!([event(&found, "pinned"), event(&found, "end")].map(lost), [0.0, 0.0]);
+}
+
+/// Loads that move the edge less than a double is rounded: what it loses is not 0, and the force is what it was said to be.
+#[test]
+fn doubles_do_not_call_a_loss_nothing() {
+    let load = "kind = \"force\"\npath = [\"1e-20\", \"-1e-20\"]";
+    let output = "want = [\"path\", \"energy\"]\narithmetic = \"f64\"";
+    let answer = scene(BALL, ["0.01", "0.04"], load, output).unwrap().solve().unwrap();
+    let end = event(answer.path().unwrap(), "end").clone();
+    assert!(matches!(end.hysteresis, Optional(Some(Value::Unknown { status: Status::Undecided, .. }))), "{end:?}");
+    let state = &answer.energy().unwrap().items[0].items[0].state;
+    assert_eq!(state.force.to_f64(), Some(1e-20));
 }

@@ -162,7 +162,9 @@ impl<R: Real> Path<R> {
     /// [`NoEquilibrium`](mdr_core::contact::Error::NoEquilibrium) if there is no stable equilibrium at the first way
     /// point, or for a detached start where the surfaces would interpenetrate;
     /// [`Domain`](mdr_core::contact::Error::Domain) without way points, or unless they are finite;
-    /// [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures; errors of the transform.
+    /// [`Undecided`](mdr_core::contact::Error::Undecided) over enclosures;
+    /// [`Unproved`](mdr_core::contact::Error::Unproved) where surfaces that are apart come to touch beside a tip on a ring that the search
+    /// for it does not resolve; errors of the transform.
     pub fn follow(branches: &impl EquilibriumBranches<R>, start: &Start<R>, way: &[R]) -> Result<Self> {
         follow::follow(branches, start, way, None).map(|events| Path { events })
     }
@@ -259,6 +261,28 @@ impl<R: Real> Path<R> {
             ring: event.ring.as_ref().map(|ring| Ring { radius: number(&ring.radius), gap: number(&ring.gap) }),
         };
         Path { events: self.events.iter().map(event).collect() }
+    }
+
+    /// Whether the edge is pinned on the way to each event of a path between two works of adhesion, so that its radius is the same in
+    /// every digit: from the event [`EventKind::Pinned`] to [`EventKind::Depinned`], and from a start at a radius where the edge is pinned.
+    pub fn is_pinned(&self, start: &Start<R>) -> Vec<bool> {
+        let first = self.events.first().and_then(|event| event.after.contact());
+        let mut pinned = match (start, first) {
+            (Start::Nearest(radius), Some(rest)) => {
+                !matches!(rest.contact_radius.partial_cmp(radius), Some(Ordering::Less | Ordering::Greater))
+            }
+            _ => false,
+        };
+        let on_the_way = |event: &Event<R>| {
+            let before = pinned || event.kind == EventKind::Depinned;
+            pinned = match event.kind {
+                EventKind::Pinned => true,
+                EventKind::Start | EventKind::WayPoint | EventKind::End => pinned,
+                _ => false,
+            };
+            before
+        };
+        self.events.iter().map(on_the_way).collect()
     }
 
     /// Whether the path reached its last way point.

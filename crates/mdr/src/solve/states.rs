@@ -53,7 +53,7 @@ impl<'a, R: SceneReal> States<'a, R> {
     }
 
     /// A state with the exact value of the controlled quantity, which at a fold is that of the fold.
-    fn with_value(&self, state: contact::Equilibrium<R>, value: &R) -> contact::Equilibrium<R> {
+    pub(crate) fn with_value(&self, state: contact::Equilibrium<R>, value: &R) -> contact::Equilibrium<R> {
         match state.stability {
             Stability::Neutral => state,
             _ => state.controlled(self.model.control(), value.clone()),

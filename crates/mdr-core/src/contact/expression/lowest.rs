@@ -79,6 +79,16 @@ impl Expression {
     /// Whether r f' is proved not to fall up to a radius within the profile, so that g falls nowhere up to there. If not, it may fall or
     /// not.
     ///
+    /// ```
+    /// use mdr_core::contact::Expression;
+    /// use rug::Float;
+    /// // (r f')' = 4r − 16r³
+    /// let (formula, none): (Expression, _) = ("r^2 - r^4".parse()?, Default::default());
+    /// assert!(formula.rises_up_to(&none, &Float::with_val(53, 0.49))?);
+    /// assert!(!formula.rises_up_to(&none, &Float::with_val(53, 0.51))?);
+    /// # Ok::<(), mdr_core::contact::ExpressionError>(())
+    /// ```
+    ///
     /// # Errors
     /// A name without a value, or a value without a name: see [`Expression::bind`].
     pub fn rises_up_to(&self, values: &BTreeMap<String, Literal>, radius: &Float) -> Result<bool, ExpressionError> {

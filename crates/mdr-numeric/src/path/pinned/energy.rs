@@ -10,10 +10,10 @@
 
 use mdr_core::calculus::Estimate;
 use mdr_core::contact::{Control, Edge, Equilibrium, Error, Quantity, Result};
-use mdr_core::number::Special;
+use mdr_core::number::{Real, Special};
 
 use super::super::energy::{Balance, Dissipation, EnergyIntegrals, spring_energy};
-use super::super::{ContactState, Event, EventKind, Path};
+use super::super::{ContactState, Event, EventKind, Path, Start};
 use crate::contact::log10_of_product;
 use crate::equilibrium::SearchedBranches;
 
@@ -21,6 +21,7 @@ use crate::equilibrium::SearchedBranches;
 pub struct EdgeEnergies<'a, R: Special> {
     advancing: EnergyIntegrals<'a, R>,
     receding: EnergyIntegrals<'a, R>,
+    start: Start<R>,
 }
 
 /// What is lost in an event, and on the way to it.
@@ -32,10 +33,30 @@ pub struct EdgeLoss<R> {
     pub hysteresis: R,
 }
 
+/// Whether two radii of a moving edge differ by more than their roundings.
+///
+/// # Errors
+/// [`Error::Undecided`] where they do not.
+fn is_seen<R: Real>(from: &ContactState<R>, to: &ContactState<R>) -> Result<()> {
+    let (Some(from), Some(to)) = (from.contact(), to.contact()) else { return Ok(()) };
+    let [a, b] = [from, to].map(|rest| &rest.contact_radius);
+    if *a > a.lit(0) && (a.clone() - b).abs() <= a.unit_roundoff().times(8) * a {
+        return Err(Error::undecided(Quantity::Energy, a, "how far the edge recedes: less than radii are rounded"));
+    }
+    Ok(())
+}
+
 impl<'a, R: Special> EdgeEnergies<'a, R> {
     /// From the branches of each edge.
     pub fn new(advancing: &'a SearchedBranches<R>, receding: &'a SearchedBranches<R>) -> Self {
-        EdgeEnergies { advancing: EnergyIntegrals::new(advancing), receding: EnergyIntegrals::new(receding) }
+        let [advancing, receding] = [advancing, receding].map(EnergyIntegrals::new);
+        EdgeEnergies { advancing, receding, start: Start::Largest }
+    }
+
+    /// For paths that begin as said: at a radius the edge may be [pinned from the start](Path::is_pinned).
+    #[must_use]
+    pub fn beginning(self, start: Start<R>) -> Self {
+        EdgeEnergies { start, ..self }
     }
 
     fn of(&self, edge: Edge) -> &EnergyIntegrals<'a, R> {
@@ -60,14 +81,17 @@ impl<'a, R: Special> EdgeEnergies<'a, R> {
     /// not.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if an energy is not representable in this arithmetic.
+    /// [`Error::OutOfRange`] if an energy is not representable in this arithmetic; [`Error::Undecided`] where a receding edge has moved less
+    /// than radii are rounded.
     pub fn by_receding(&self, path: &Path<R>) -> Vec<Result<R>> {
-        let before = path.events.first().map(|first| &first.before).into_iter();
-        let before = before.chain(path.events.iter().map(|event| &event.after));
-        let of = |(before, event): (&ContactState<R>, &Event<R>)| {
-            Ok(self.hysteresis(before, &event.before)? + self.hysteresis(&event.before, &event.after)?)
+        let last = path.events.first().into_iter().chain(&path.events);
+        let of = |((last, event), is_pinned): ((&Event<R>, &Event<R>), bool)| {
+            if !is_pinned && event.value < last.value {
+                is_seen(&last.after, &event.before)?;
+            }
+            Ok(self.hysteresis(&last.after, &event.before)? + self.hysteresis(&event.before, &event.after)?)
         };
-        before.zip(&path.events).map(of).collect()
+        last.zip(&path.events).zip(path.is_pinned(&self.start)).map(of).collect()
     }
 
     /// The increase of the energy stored in the contact and in the spring of a machine along a path, in J; `None` for complete

@@ -7,7 +7,7 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::fields::Fields;
-use mdr_numeric::path::{EdgeEnergies, EdgeLoss, Edges, Path};
+use mdr_numeric::path::{EdgeEnergies, EdgeLoss, Edges, Path, Start};
 
 use super::events::{self, balance, dissipated, plus, shown, unknown, work};
 use super::{Balance, PathEvent, PathNumbers};
@@ -89,8 +89,12 @@ pub(crate) fn first<R: SceneReal, T>(
     let model = receding.model;
     let Some(value) = receding.scene.path.first() else { return Ok(Vec::new()) };
     let edges = Edges::new(&model.contact(), &advancing.branches, &receding.branches);
-    let held = match edges.first(&model.start(&receding.scene.start)?, &model.number(value)) {
-        Ok((edge, state)) => state.contact().cloned().map(|state| Held { state, edge, pinned: edge.is_none() }),
+    let number = model.number(value);
+    let held = match edges.first(&model.start(&receding.scene.start)?, &number) {
+        Ok((edge, state)) => state.contact().cloned().map(|state| {
+            let state = if edge.is_some() { receding.with_value(state, &number) } else { state };
+            Held { state, edge, pinned: edge.is_none() }
+        }),
         Err(Error::NoEquilibrium { .. }) => None,
         Err(error) => return Err(error),
     };
@@ -106,7 +110,8 @@ pub(crate) fn first<R: SceneReal, T>(
 pub(super) fn numbers<R: SceneReal>([advancing, receding]: [&States<'_, R>; 2]) -> Result<PathNumbers<Estimate<R>>> {
     let branches = [&advancing.branches, &receding.branches];
     let path = follow(receding.model, branches, receding.scene)?;
-    with_energy(&path, &receding.scene.path, branches)
+    let start = receding.model.start(&receding.scene.start)?;
+    with_energy(&path, (start, &receding.scene.path), branches)
 }
 
 /// The events of a path with the energy lost in each jump and by a receding edge, and the balance of its energy.
@@ -115,10 +120,10 @@ pub(super) fn numbers<R: SceneReal>([advancing, receding]: [&States<'_, R>; 2]) 
 /// Errors of the transform; an error if an energy is not representable.
 pub(super) fn with_energy<R: SceneReal>(
     path: &Path<R>,
-    way: &[Literal],
+    (start, way): (Start<R>, &[Literal]),
     [advancing, receding]: [&SearchedBranches<R>; 2],
 ) -> Result<PathNumbers<Estimate<R>>> {
-    let energies = EdgeEnergies::new(advancing, receding);
+    let energies = EdgeEnergies::new(advancing, receding).beginning(start);
     let mut jumps = Vec::with_capacity(path.events.len());
     let mut hysteresis = Vec::with_capacity(path.events.len());
     for (event, loss) in path.events.iter().zip(energies.losses(path)) {

@@ -9,32 +9,37 @@ use mdr_core::contact::{Control, Edge, Error, Quantity, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Real};
 use mdr_numeric::contact::Contact;
-use mdr_numeric::path::{ContactState, Event, EventKind, Path};
+use mdr_numeric::path::{ContactState, Event, EventKind, Path, Start};
 use mdr_numeric::proof::{EnclosedEnergy, StoredEnergy};
 
 use super::energies::{lost_in, returns, value, work_in};
-use super::{Balance, Dissipation, PathEvent, PathNumbers, changes};
+use super::{Balance, Dissipation, PathEvent, PathNumbers, changes, written};
 use crate::answer::Optional;
 
-/// The energy lost in each event and by a receding edge, as records without other numbers, and the balance of a path along way
-/// points. The contact is that of the advancing edge.
+/// The energy lost in each event and by a receding edge, as records without other numbers, and the balance of a path from a start along
+/// way points. The contact is that of the advancing edge.
 ///
 /// # Errors
 /// Errors of the transform and of the integrals, see [`EnclosedEnergy::stored`]; [`Error::Undecided`] if it is not certain whether
 /// the edge recedes.
 pub(super) fn of_path(
     path: &Path<Interval>,
-    way: &[Literal],
+    (start, way): (&Start<Interval>, &[Literal]),
     contact: &Contact<Interval>,
     energy: &EnclosedEnergy<'_>,
 ) -> Result<PathNumbers<Enclosure>> {
     let stored = Stored::new(path, contact, energy)?;
+    let (pinned, written) = (path.is_pinned(start), written(way, path));
     let (mut jumps, mut hysteresis) = (Some(StoredEnergy::default()), StoredEnergy::default());
-    let mut before = path.events.first().map(|event| &event.before);
     let mut events: Vec<PathEvent<Enclosure>> = Vec::new();
     for (index, event) in path.events.iter().enumerate() {
-        let swept = match before.replace(&event.after) {
-            Some(last) => receded(last, &event.before)?.plus(&receded(&event.before, &event.after)?),
+        let swept = match index.checked_sub(1) {
+            Some(last) => {
+                let at_one_value =
+                    written[last].zip(written[index]).is_some_and(|(one, other)| one.compare(other).is_eq());
+                let stays = pinned[index] || at_one_value;
+                on_the_way(&path.events[last], event, stays)?.plus(&receded(&event.before, &event.after)?)
+            }
             None => StoredEnergy::default(),
         };
         let lost = swept.energy().map_or_else(StoredEnergy::default, |area| (stored.more.clone() * area).into());
@@ -116,6 +121,24 @@ fn area(state: &ContactState<Interval>) -> Option<StoredEnergy> {
     }
 }
 
+/// The area that the edge leaves between two events, on the way to the second of which it may stay where it is. One that moves may have moved
+/// by less than these enclosures tell.
+fn on_the_way(last: &Event<Interval>, event: &Event<Interval>, stays: bool) -> Result<StoredEnergy> {
+    if let (Some(from), Some(to)) = (last.after.contact(), event.before.contact())
+        && !stays
+        && from.contact_radius.is_same(&to.contact_radius)
+        && !from.contact_radius.upper().is_zero()
+        && event.value.partial_cmp(&last.value) != Some(Ordering::Greater)
+    {
+        return Err(unseen(from.contact_radius.precision()));
+    }
+    receded(&last.after, &event.before)
+}
+
+fn unseen(bits: u32) -> Error {
+    Error::Undecided { quantity: Quantity::ContactRadius, bits, what: "whether the edge recedes" }
+}
+
 /// The area that is left between two states; exactly nothing where the edge does not recede.
 fn receded(from: &ContactState<Interval>, to: &ContactState<Interval>) -> Result<StoredEnergy> {
     let (Some(before), Some(after)) = (area(from), area(to)) else { return Ok(StoredEnergy::default()) };
@@ -128,10 +151,7 @@ fn receded(from: &ContactState<Interval>, to: &ContactState<Interval>) -> Result
     match order {
         Some(Ordering::Greater) => Ok(before.minus(&after)),
         Some(_) => Ok(StoredEnergy::default()),
-        None => {
-            let bits = before.energy().map_or(0, Real::precision);
-            Err(Error::Undecided { quantity: Quantity::ContactRadius, bits, what: "whether the edge recedes" })
-        }
+        None => Err(unseen(before.energy().map_or(0, Real::precision))),
     }
 }
 

@@ -214,6 +214,7 @@ pub(super) fn dissipated<R: SceneReal>(
 pub(super) fn unknown<N>(error: Error) -> Result<Value<N>> {
     match error {
         Error::OutOfRange { .. } => Err(error),
+        Error::Undecided { .. } => Ok(Value::unknown(Status::Undecided, error.to_string())),
         error => Value::from_result(Err(error)),
     }
 }
