@@ -310,6 +310,11 @@ impl<N> Shape<N> {
         }
     }
 
+    /// The text of its formula up to where g diverges, the edge of an elliptical dimple: there that of all of it has two kinks at one radius.
+    pub(crate) fn text_to_pole(&self) -> &'static str {
+        if let Shape::EllipticalDimple { .. } = self { "h*(sqrt(1 - r^2/b^2) - 1)" } else { self.text() }
+    }
+
     /// Whether it is a flat face, f = 0 up to its edge: then g = 0 on every medium.
     pub fn is_flat(&self) -> bool {
         matches!(self, Shape::FlatPunch { .. })

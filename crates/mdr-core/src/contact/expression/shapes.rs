@@ -24,18 +24,7 @@ impl Shape<Literal> {
     /// # Ok::<(), mdr_core::contact::ExpressionError>(())
     /// ```
     pub fn formula(&self) -> Result<(Expression, BTreeMap<String, Literal>), ExpressionError> {
-        let integer = match self {
-            Shape::Power { n, .. } => n.small_integer(),
-            _ => None,
-        };
-        let text = match (integer, self.flank()) {
-            // Written as a number it is an integer power, which is one of any base.
-            (Some(n), _) => with(self.text(), 'n', &n.to_string()),
-            (_, Some(Flank::HalfAngleDegrees(_))) => with(self.text(), 't', SLOPE),
-            _ => self.text().to_owned(),
-        };
-        let values = self.symbols().iter().zip(self.parameters());
-        Ok((text.parse()?, values.map(|(symbol, (_, value))| ((*symbol).to_owned(), value.clone())).collect()))
+        self.written(self.text())
     }
 
     /// The profile as a formula up to where its transform g diverges, which is the edge of an elliptical dimple: there the formula of all of
@@ -54,11 +43,22 @@ impl Shape<Literal> {
     /// # Ok::<(), mdr_core::contact::ExpressionError>(())
     /// ```
     pub fn formula_to_pole(&self) -> Result<(Expression, BTreeMap<String, Literal>), ExpressionError> {
-        let (formula, values) = self.formula()?;
-        Ok(match self {
-            Shape::EllipticalDimple { .. } => ("h*(sqrt(1 - r^2/b^2) - 1)".parse()?, values),
-            _ => (formula, values),
-        })
+        self.written(self.text_to_pole())
+    }
+
+    fn written(&self, text: &str) -> Result<(Expression, BTreeMap<String, Literal>), ExpressionError> {
+        let integer = match self {
+            Shape::Power { n, .. } => n.small_integer(),
+            _ => None,
+        };
+        let text = match (integer, self.flank()) {
+            // Written as a number it is an integer power, which is one of any base.
+            (Some(n), _) => with(text, 'n', &n.to_string()),
+            (_, Some(Flank::HalfAngleDegrees(_))) => with(text, 't', SLOPE),
+            _ => text.to_owned(),
+        };
+        let values = self.symbols().iter().zip(self.parameters());
+        Ok((text.parse()?, values.map(|(symbol, (_, value))| ((*symbol).to_owned(), value.clone())).collect()))
     }
 }
 
