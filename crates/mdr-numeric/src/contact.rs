@@ -267,6 +267,7 @@ impl<R: Real> Contact<R> {
     ///
     /// On a machine softer than the contact the force is that of its spring, k(D − d): as S(a) times a difference of lengths it
     /// would lose log₁₀(S/k) digits.
+    /// On a much stiffer one with d far below g and Δl, of which it would be the difference, d is D − F/k.
     ///
     /// # Errors
     /// Errors of the transform at a; [`Error::OutOfRange`] if the force is not representable in this arithmetic.
@@ -277,8 +278,19 @@ impl<R: Real> Contact<R> {
                 let force = spring_force(k, value.clone() - &d)?;
                 Ok((d, force))
             }
-            None => self.state(a),
+            None => {
+                let (d, force) = self.state(a)?;
+                Ok((self.held_by_stiff_machine(a, value, &force).unwrap_or(d), force))
+            }
         }
+    }
+
+    /// D − F/k, where both are far below the lengths of which d is the difference.
+    fn held_by_stiff_machine(&self, a: &R, value: &R, force: &R) -> Option<R> {
+        let Control::Machine { stiffness } = &self.control else { return None };
+        let given = force.clone() / stiffness;
+        let is_small = (value.abs() + given.abs()).times(16) < self.elongation(a);
+        (is_small && self.stiffness(a).times(16) < *stiffness).then(|| value.clone() - given)
     }
 
     /// The stiffness of a machine, if it is less than that of the contact.

@@ -113,3 +113,21 @@ fn a_curve_is_asked_at_radii_and_values_alone() -> Result<()> {
     assert_eq!(refused(Contact::half_space(&ball, &glue, &machine).critical_ratio(&0.1)), Some(Quantity::Stiffness));
     Ok(())
 }
+
+/// A machine that hardly gives way, near d = 0 where g is Δl: the indentation is D − F/k in all digits, not the difference of two lengths.
+#[test]
+fn a_stiff_machine_holds_a_depth_far_below_its_lengths() -> Result<()> {
+    let (ball, material) = (Arc::new(ball()?), Material::new(1.0, 0.01)?);
+    let (position, stiffness) = (1e-12, 1e12);
+    let [rest] = &equilibria(&ball, &material, &Control::machine(stiffness)?, &position)?.equilibria[..] else {
+        panic!("one equilibrium")
+    };
+    // a² = Δl = √(2πa/100), F = 2a(d − a²/3).
+    let a = (0.02 * std::f64::consts::PI).cbrt();
+    let force = 2.0 * a * (1e-12 - a * a / 3.0);
+    // But for what the depth changes.
+    assert!((rest.contact_radius / a - 1.0).abs() < 1e-10 && (rest.force / force - 1.0).abs() < 1e-10, "{rest:?}");
+    let depth = position - rest.force / stiffness;
+    assert!((rest.indentation / depth - 1.0).abs() < 1e-13, "{} {depth}", rest.indentation);
+    Ok(())
+}
