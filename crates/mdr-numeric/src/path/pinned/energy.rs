@@ -85,8 +85,11 @@ impl<'a, R: Special> EdgeEnergies<'a, R> {
     /// than radii are rounded.
     pub fn by_receding(&self, path: &Path<R>) -> Vec<Result<R>> {
         let last = path.events.first().into_iter().chain(&path.events);
+        let end = self.receding.curve.vertical_edge();
         let of = |((last, event), is_pinned): ((&Event<R>, &Event<R>), bool)| {
-            if !is_pinned && event.value < last.value {
+            let at = |state: &ContactState<R>| state.contact().map(|rest| rest.contact_radius.clone());
+            let is_at_end = at(&event.before).is_some_and(|radius| end.as_ref() == Some(&radius));
+            if !is_pinned && !is_at_end && event.value < last.value {
                 is_seen(&last.after, &event.before)?;
             }
             Ok(self.hysteresis(&last.after, &event.before)? + self.hysteresis(&event.before, &event.after)?)
