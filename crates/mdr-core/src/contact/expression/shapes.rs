@@ -39,7 +39,8 @@ impl Shape<Literal> {
     /// let dimple = Shape::EllipticalDimple { depth: 1, radius: 5 }.map(|_, length| Literal::from(*length));
     /// let (formula, values) = dimple.formula_to_pole()?;
     /// let inside = formula.bind::<f64>((), &values)?.broken_at((), &formula.breaks(&values)?);
-    /// assert_eq!((inside.height(&3.0), inside.outer_radius()), (0.8 - 1.0, Some(5.0)));
+    /// assert!((inside.height(&3.0) + 0.2).abs() < 1e-15);
+    /// assert_eq!(inside.outer_radius(), Some(5.0));
     /// # Ok::<(), mdr_core::contact::ExpressionError>(())
     /// ```
     pub fn formula_to_pole(&self) -> Result<(Expression, BTreeMap<String, Literal>), ExpressionError> {
