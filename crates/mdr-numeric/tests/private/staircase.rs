@@ -170,8 +170,8 @@ fn the_end_of_the_profile_has_a_cell() {
     let case = Case::new();
     let end = Interval::from_int(Precision::new(BITS), 13).over(10);
     for staircases in &case.staircases {
-        for level in 0..LEVELS.len() {
-            let cells = staircases.cells(LEVELS[level]);
+        for count in LEVELS {
+            let cells = staircases.cells(count);
             assert!(cells.windows(2).all(|pair| pair[0].to == pair[1].from));
             let last = cells.last().expect("cells");
             assert!(*end.lower() > last.from && *end.upper() <= last.to, "{} {}", last.from, last.to);
