@@ -263,18 +263,21 @@ impl<R: Real> Path<R> {
         Path { events: self.events.iter().map(event).collect() }
     }
 
-    /// Whether the edge is pinned on the way to each event of a path between two works of adhesion, so that its radius is the same in
-    /// every digit: from the event [`EventKind::Pinned`] to [`EventKind::Depinned`], and from a start at a radius where the edge is pinned.
-    pub fn is_pinned(&self, start: &Start<R>) -> Vec<bool> {
-        let first = self.events.first().and_then(|event| event.after.contact());
-        let mut pinned = match (start, first) {
-            (Start::Nearest(radius), Some(rest)) => {
-                !matches!(rest.contact_radius.partial_cmp(radius), Some(Ordering::Less | Ordering::Greater))
-            }
+    /// Whether the edge stays where it is on the way to each event of a path between two works of adhesion, so that its radius is the same in
+    /// every digit: at the [vertical edge](crate::contact::Contact::vertical_edge) of a body, if it has one, and where it is pinned, from the
+    /// event [`EventKind::Pinned`] to [`EventKind::Depinned`] and from a start at a radius.
+    pub fn stays(&self, start: &Start<R>, vertical_edge: Option<&R>) -> Vec<bool> {
+        let is_at = |state: &ContactState<R>, radius: &R| {
+            let order = state.contact().map(|rest| rest.contact_radius.partial_cmp(radius));
+            matches!(order, Some(None | Some(Ordering::Equal)))
+        };
+        let mut pinned = match (start, self.events.first()) {
+            (Start::Nearest(radius), Some(first)) => is_at(&first.after, radius),
             _ => false,
         };
         let on_the_way = |event: &Event<R>| {
-            let before = pinned || event.kind == EventKind::Depinned;
+            let is_at_end = vertical_edge.is_some_and(|end| is_at(&event.before, end));
+            let before = pinned || is_at_end || event.kind == EventKind::Depinned;
             pinned = match event.kind {
                 EventKind::Pinned => true,
                 EventKind::Start | EventKind::WayPoint | EventKind::End => pinned,

@@ -33,11 +33,11 @@ pub struct EdgeLoss<R> {
     pub hysteresis: R,
 }
 
-/// Whether two radii of a moving edge differ by more than their roundings.
+/// Checks that two radii of a moving edge differ by more than their roundings.
 ///
 /// # Errors
 /// [`Error::Undecided`] where they do not.
-fn is_seen<R: Real>(from: &ContactState<R>, to: &ContactState<R>) -> Result<()> {
+fn check_moved<R: Real>(from: &ContactState<R>, to: &ContactState<R>) -> Result<()> {
     let (Some(from), Some(to)) = (from.contact(), to.contact()) else { return Ok(()) };
     let [a, b] = [from, to].map(|rest| &rest.contact_radius);
     if *a > a.lit(0) && (a.clone() - b).abs() <= a.unit_roundoff().times(8) * a {
@@ -53,7 +53,7 @@ impl<'a, R: Special> EdgeEnergies<'a, R> {
         EdgeEnergies { advancing, receding, start: Start::Largest }
     }
 
-    /// For paths that begin as said: at a radius the edge may be [pinned from the start](Path::is_pinned).
+    /// For paths that begin as said: at a radius the edge may be [pinned from the start](Path::stays).
     #[must_use]
     pub fn beginning(self, start: Start<R>) -> Self {
         EdgeEnergies { start, ..self }
@@ -85,16 +85,14 @@ impl<'a, R: Special> EdgeEnergies<'a, R> {
     /// than radii are rounded.
     pub fn by_receding(&self, path: &Path<R>) -> Vec<Result<R>> {
         let last = path.events.first().into_iter().chain(&path.events);
-        let end = self.receding.curve.vertical_edge();
-        let of = |((last, event), is_pinned): ((&Event<R>, &Event<R>), bool)| {
-            let at = |state: &ContactState<R>| state.contact().map(|rest| rest.contact_radius.clone());
-            let is_at_end = at(&event.before).is_some_and(|radius| end.as_ref() == Some(&radius));
-            if !is_pinned && !is_at_end && event.value < last.value {
-                is_seen(&last.after, &event.before)?;
+        let stays = path.stays(&self.start, self.receding.curve.vertical_edge().as_ref());
+        let of = |((last, event), stays): ((&Event<R>, &Event<R>), bool)| {
+            if !stays && event.value < last.value {
+                check_moved(&last.after, &event.before)?;
             }
             Ok(self.hysteresis(&last.after, &event.before)? + self.hysteresis(&event.before, &event.after)?)
         };
-        last.zip(&path.events).zip(path.is_pinned(&self.start)).map(of).collect()
+        last.zip(&path.events).zip(stays).map(of).collect()
     }
 
     /// The increase of the energy stored in the contact and in the spring of a machine along a path, in J; `None` for complete

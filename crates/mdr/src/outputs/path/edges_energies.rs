@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use mdr_core::contact::{Control, Edge, Equilibrium, Error, Quantity, Result};
+use mdr_core::contact::{Control, Edge, Error, Quantity, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Real};
 use mdr_numeric::contact::Contact;
@@ -29,7 +29,7 @@ pub(super) fn of_path(
     energy: &EnclosedEnergy<'_>,
 ) -> Result<PathNumbers<Enclosure>> {
     let stored = Stored::new(path, contact, energy)?;
-    let (pinned, written, end) = (path.is_pinned(start), written(way, path), contact.vertical_edge());
+    let (stays, written) = (path.stays(start, contact.vertical_edge().as_ref()), written(way, path));
     let (mut jumps, mut hysteresis) = (Some(StoredEnergy::default()), StoredEnergy::default());
     let mut events: Vec<PathEvent<Enclosure>> = Vec::new();
     for (index, event) in path.events.iter().enumerate() {
@@ -37,11 +37,8 @@ pub(super) fn of_path(
             Some(last) => {
                 let at_one_value =
                     written[last].zip(written[index]).is_some_and(|(one, other)| one.compare(other).is_eq());
-                // Or at the edge of the body.
-                let at_end =
-                    |rest: &Equilibrium<Interval>| end.as_ref().is_some_and(|end| end.overlaps(&rest.contact_radius));
-                let stays = pinned[index] || at_one_value || event.before.contact().is_some_and(at_end);
-                on_the_way(&path.events[last], event, stays)?.plus(&receded(&event.before, &event.after)?)
+                on_the_way(&path.events[last], event, stays[index] || at_one_value)?
+                    .plus(&receded(&event.before, &event.after)?)
             }
             None => StoredEnergy::default(),
         };
