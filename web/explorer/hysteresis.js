@@ -39,7 +39,7 @@ function drawForce(rest, state) {
   set(p.ring, Number.isFinite(x + y) ? { cx: p.x(x), cy: p.y(y), r: 9, opacity: 1 } : { opacity: 0 });
   nameEdges(rest);
   const several = jumps ? [`lost in ${jumps} jump${jumps > 1 ? 's' : ''}: ${show(lostTotal, 'E', 4)}`] : [];
-  const byEdge = receded > 0 ? [`${several.length ? '' : 'lost '}by the edge: ${show(receded, 'E', 4)}`] : [];
+  const byEdge = receded !== 0 ? [`${several.length ? '' : 'lost '}by the edge: ${show(receded, 'E', 4)}`] : [];
   $('lost').textContent = unbounded ? 'lost: without bound' : [...several, ...byEdge].join(', ');
 }
 /** With two works of adhesion, which curve is that of which edge. */
