@@ -87,7 +87,7 @@ impl BothEdges {
             start => start.clone(),
         };
         let path = Path::follow_edges(&self.edges(), &start, &way, None)?;
-        let energies = EdgeEnergies::new(&self.advancing, &self.receding).beginning(start.clone());
+        let energies = EdgeEnergies::new(&self.advancing, &self.receding);
         let losses = energies.losses(&path).into_iter().zip(energies.by_receding(&path));
         let row = |(event, (loss, receded)): (&Event<f64>, (Result<_>, Result<f64>))| {
             let jump: Option<Dissipation<f64>> = loss.ok().map(|loss: mdr_numeric::path::EdgeLoss<f64>| loss.jump);

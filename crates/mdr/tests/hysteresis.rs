@@ -547,3 +547,18 @@ fn doubles_do_not_call_a_loss_nothing() {
     let state = &answer.energy().unwrap().items[0].items[0].state;
     assert_eq!(state.force.to_f64(), Some(1e-20));
 }
+
+/// A path that begins pinned, and stays so, loses nothing, and that is known in doubles too.
+#[test]
+fn a_start_that_is_pinned_loses_nothing() {
+    let way = "kind = \"indentation\"\npath = [\"0.05\", \"0\", \"0.05\"]\nstart = \"0.5\"";
+    for arithmetic in ["", "\narithmetic = \"f64\""] {
+        let output = format!("want = [\"path\", \"force-curve\"]\npoints = 9{arithmetic}");
+        let answer = scene(BALL, ["0.01", "0.04"], way, &output).unwrap().solve().unwrap();
+        assert_eq!(kinds(answer.path().unwrap()), ["start", "way-point", "end"]);
+        let by_edge = answer.path().unwrap().events.items.iter().map(|event| event.hysteresis.0.clone());
+        for lost in by_edge.chain([answer.force_curve().unwrap().summary.hysteresis.clone()]) {
+            assert!(matches!(&lost, Some(Value::Known(lost)) if lost.to_string() == "0"), "{arithmetic} {lost:?}");
+        }
+    }
+}

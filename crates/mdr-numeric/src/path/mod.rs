@@ -131,9 +131,16 @@ pub struct Event<R> {
 pub struct Path<R> {
     /// The events in order.
     pub events: Vec<Event<R>>,
+    /// Whether the edge is pinned between two works of adhesion where the path begins, as it may be from [`Start::Nearest`].
+    pub begins_pinned: bool,
 }
 
 impl<R: Real> Path<R> {
+    /// A path whose edge moves from where it begins.
+    fn unpinned(events: Vec<Event<R>>) -> Self {
+        Path { events, begins_pinned: false }
+    }
+
     /// Follows the contact along the `way` points of the controlled quantity (d, F, or D = d + F/k).
     ///
     /// At a way point exactly at a fold the contact stays there. After detachment it touches again when the controlled
@@ -166,7 +173,7 @@ impl<R: Real> Path<R> {
     /// [`Unproved`](mdr_core::contact::Error::Unproved) where surfaces that are apart come to touch beside a tip on a ring that the search
     /// for it does not resolve; errors of the transform.
     pub fn follow(branches: &impl EquilibriumBranches<R>, start: &Start<R>, way: &[R]) -> Result<Self> {
-        follow::follow(branches, start, way, None).map(|events| Path { events })
+        follow::follow(branches, start, way, None).map(Path::unpinned)
     }
 
     /// Follows the contact like [`Path::follow`], with a given order of each way point relative to the previous one. Enclosures
@@ -182,7 +189,7 @@ impl<R: Real> Path<R> {
         way: &[R],
         order: &[Ordering],
     ) -> Result<Self> {
-        follow::follow(branches, start, way, Some(order)).map(|events| Path { events })
+        follow::follow(branches, start, way, Some(order)).map(Path::unpinned)
     }
 
     /// Follows the contact between its two [edges](Edges), which have different works of adhesion, along the `way` points of the
@@ -223,7 +230,7 @@ impl<R: Real> Path<R> {
         way: &[R],
         ranks: Option<&[usize]>,
     ) -> Result<Self> {
-        pinned::follow(edges, start, way, ranks).map(|events| Path { events })
+        pinned::follow(edges, start, way, ranks)
     }
 
     /// The state in which a path begins: that of the first event of [`follow`](Path::follow).
@@ -260,21 +267,18 @@ impl<R: Real> Path<R> {
             edge: event.edge,
             ring: event.ring.as_ref().map(|ring| Ring { radius: number(&ring.radius), gap: number(&ring.gap) }),
         };
-        Path { events: self.events.iter().map(event).collect() }
+        Path { events: self.events.iter().map(event).collect(), begins_pinned: self.begins_pinned }
     }
 
     /// Whether the edge stays where it is on the way to each event of a path between two works of adhesion, so that its radius is the same in
     /// every digit: at the [vertical edge](crate::contact::Contact::vertical_edge) of a body, if it has one, and where it is pinned, from the
-    /// event [`EventKind::Pinned`] to [`EventKind::Depinned`] and from a start at a radius.
-    pub fn stays(&self, start: &Start<R>, vertical_edge: Option<&R>) -> Vec<bool> {
+    /// event [`EventKind::Pinned`] to [`EventKind::Depinned`] and from the start of a path that [begins so](Path::begins_pinned).
+    pub fn stays(&self, vertical_edge: Option<&R>) -> Vec<bool> {
         let is_at = |state: &ContactState<R>, radius: &R| {
             let order = state.contact().map(|rest| rest.contact_radius.partial_cmp(radius));
             matches!(order, Some(None | Some(Ordering::Equal)))
         };
-        let mut pinned = match (start, self.events.first()) {
-            (Start::Nearest(radius), Some(first)) => is_at(&first.after, radius),
-            _ => false,
-        };
+        let mut pinned = self.begins_pinned;
         let on_the_way = |event: &Event<R>| {
             let is_at_end = vertical_edge.is_some_and(|end| is_at(&event.before, end));
             let before = pinned || is_at_end || event.kind == EventKind::Depinned;

@@ -13,7 +13,7 @@ use mdr_core::contact::{Control, Edge, Equilibrium, Error, Quantity, Result};
 use mdr_core::number::{Real, Special};
 
 use super::super::energy::{Balance, Dissipation, EnergyIntegrals, spring_energy};
-use super::super::{ContactState, Event, EventKind, Path, Start};
+use super::super::{ContactState, Event, EventKind, Path};
 use crate::contact::log10_of_product;
 use crate::equilibrium::SearchedBranches;
 
@@ -21,7 +21,6 @@ use crate::equilibrium::SearchedBranches;
 pub struct EdgeEnergies<'a, R: Special> {
     advancing: EnergyIntegrals<'a, R>,
     receding: EnergyIntegrals<'a, R>,
-    start: Start<R>,
 }
 
 /// What is lost in an event, and on the way to it.
@@ -49,14 +48,7 @@ fn check_moved<R: Real>(from: &ContactState<R>, to: &ContactState<R>) -> Result<
 impl<'a, R: Special> EdgeEnergies<'a, R> {
     /// From the branches of each edge.
     pub fn new(advancing: &'a SearchedBranches<R>, receding: &'a SearchedBranches<R>) -> Self {
-        let [advancing, receding] = [advancing, receding].map(EnergyIntegrals::new);
-        EdgeEnergies { advancing, receding, start: Start::Largest }
-    }
-
-    /// For paths that begin as said: at a radius the edge may be [pinned from the start](Path::stays).
-    #[must_use]
-    pub fn beginning(self, start: Start<R>) -> Self {
-        EdgeEnergies { start, ..self }
+        EdgeEnergies { advancing: EnergyIntegrals::new(advancing), receding: EnergyIntegrals::new(receding) }
     }
 
     fn of(&self, edge: Edge) -> &EnergyIntegrals<'a, R> {
@@ -85,7 +77,7 @@ impl<'a, R: Special> EdgeEnergies<'a, R> {
     /// than radii are rounded.
     pub fn by_receding(&self, path: &Path<R>) -> Vec<Result<R>> {
         let last = path.events.first().into_iter().chain(&path.events);
-        let stays = path.stays(&self.start, self.receding.curve.vertical_edge().as_ref());
+        let stays = path.stays(self.receding.curve.vertical_edge().as_ref());
         let of = |((last, event), stays): ((&Event<R>, &Event<R>), bool)| {
             if !stays && event.value < last.value {
                 check_moved(&last.after, &event.before)?;

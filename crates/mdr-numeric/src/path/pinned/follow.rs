@@ -9,7 +9,7 @@ use mdr_core::number::Real;
 use super::super::begin::begin;
 use super::super::follow::{self, Follower, no_way};
 use super::super::position::{Position, certain};
-use super::super::{ContactState, Event, EventKind, Start};
+use super::super::{ContactState, Event, EventKind, Path, Start};
 use super::{Edges, Held, Pin};
 use crate::branch::{EquilibriumBranches, Towards, next_stable};
 
@@ -30,16 +30,16 @@ struct Walk<'e, 'a, R: Real, B> {
     events: Vec<Event<R>>,
 }
 
-/// The events of [`Path::follow_edges`](super::super::Path::follow_edges).
+/// As in [`Path::follow_edges`].
 pub(in super::super) fn follow<R: Real, B: EquilibriumBranches<R>>(
     edges: &Edges<'_, R, B>,
     start: &Start<R>,
     way: &[R],
     ranks: Option<&[usize]>,
-) -> Result<Vec<Event<R>>> {
+) -> Result<Path<R>> {
     if !edges.contact.adhesion().is_hysteretic() {
         let order = ranks.map(|ranks| ranks.windows(2).map(|pair| pair[1].cmp(&pair[0])).collect::<Vec<_>>());
-        return follow::follow(edges.receding, start, way, order.as_deref());
+        return follow::follow(edges.receding, start, way, order.as_deref()).map(Path::unpinned);
     }
     way.iter().try_for_each(|value| edges.contact.control().check_value(value))?;
     let held = |(index, number): (usize, &R)| Held {
@@ -49,6 +49,7 @@ pub(in super::super) fn follow<R: Real, B: EquilibriumBranches<R>>(
     let way: Vec<Held<R>> = way.iter().enumerate().map(held).collect();
     let Some((first, rest)) = way.split_first() else { return Err(no_way()) };
     let mut walk = Walk::new(edges, start, first)?;
+    let begins_pinned = matches!(walk.place, Place::Pinned(_));
     for (index, target) in rest.iter().enumerate() {
         let order = target.compare(&way[index], edges.receding)?;
         walk.go(target, order, if index + 1 == rest.len() { EventKind::End } else { EventKind::WayPoint })?;
@@ -56,7 +57,7 @@ pub(in super::super) fn follow<R: Real, B: EquilibriumBranches<R>>(
     if rest.is_empty() {
         walk.go(first, Ordering::Equal, EventKind::End)?;
     }
-    Ok(walk.events)
+    Ok(Path { events: walk.events, begins_pinned })
 }
 
 impl<'e, 'a, R: Real, B: EquilibriumBranches<R>> Walk<'e, 'a, R, B> {

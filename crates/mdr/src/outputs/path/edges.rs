@@ -7,7 +7,7 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::fields::Fields;
-use mdr_numeric::path::{EdgeEnergies, EdgeLoss, Edges, Path, Start};
+use mdr_numeric::path::{EdgeEnergies, EdgeLoss, Edges, Path};
 
 use super::events::{self, balance, dissipated, plus, shown, unknown, work};
 use super::{Balance, PathEvent, PathNumbers};
@@ -110,8 +110,7 @@ pub(crate) fn first<R: SceneReal, T>(
 pub(super) fn numbers<R: SceneReal>([advancing, receding]: [&States<'_, R>; 2]) -> Result<PathNumbers<Estimate<R>>> {
     let branches = [&advancing.branches, &receding.branches];
     let path = follow(receding.model, branches, receding.scene)?;
-    let start = receding.model.start(&receding.scene.start)?;
-    with_energy(&path, (start, &receding.scene.path), branches)
+    with_energy(&path, &receding.scene.path, branches)
 }
 
 /// The events of a path with the energy lost in each jump and by a receding edge, and the balance of its energy.
@@ -120,10 +119,10 @@ pub(super) fn numbers<R: SceneReal>([advancing, receding]: [&States<'_, R>; 2]) 
 /// Errors of the transform; an error if an energy is not representable.
 pub(super) fn with_energy<R: SceneReal>(
     path: &Path<R>,
-    (start, way): (Start<R>, &[Literal]),
+    way: &[Literal],
     [advancing, receding]: [&SearchedBranches<R>; 2],
 ) -> Result<PathNumbers<Estimate<R>>> {
-    let energies = EdgeEnergies::new(advancing, receding).beginning(start);
+    let energies = EdgeEnergies::new(advancing, receding);
     let mut jumps = Vec::with_capacity(path.events.len());
     let mut hysteresis = Vec::with_capacity(path.events.len());
     for (event, loss) in path.events.iter().zip(energies.losses(path)) {

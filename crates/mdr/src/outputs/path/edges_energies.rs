@@ -9,27 +9,26 @@ use mdr_core::contact::{Control, Edge, Error, Quantity, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Real};
 use mdr_numeric::contact::Contact;
-use mdr_numeric::path::{ContactState, Event, EventKind, Path, Start};
+use mdr_numeric::path::{ContactState, Event, EventKind, Path};
 use mdr_numeric::proof::{EnclosedEnergy, StoredEnergy};
 
 use super::energies::{lost_in, returns, value, work_in};
 use super::{Balance, Dissipation, PathEvent, PathNumbers, changes, written};
 use crate::answer::Optional;
 
-/// The energy lost in each event and by a receding edge, as records without other numbers, and the balance of a path from a start along
-/// way points. The contact is that of the advancing edge.
+/// The energy lost in each event and by a receding edge, as records without other numbers, and the balance of a path along way points. The contact is that of the advancing edge.
 ///
 /// # Errors
 /// Errors of the transform and of the integrals, see [`EnclosedEnergy::stored`]; [`Error::Undecided`] if it is not certain whether
 /// the edge recedes.
 pub(super) fn of_path(
     path: &Path<Interval>,
-    (start, way): (&Start<Interval>, &[Literal]),
+    way: &[Literal],
     contact: &Contact<Interval>,
     energy: &EnclosedEnergy<'_>,
 ) -> Result<PathNumbers<Enclosure>> {
     let stored = Stored::new(path, contact, energy)?;
-    let (stays, written) = (path.stays(start, contact.vertical_edge().as_ref()), written(way, path));
+    let (stays, written) = (path.stays(contact.vertical_edge().as_ref()), written(way, path));
     let (mut jumps, mut hysteresis) = (Some(StoredEnergy::default()), StoredEnergy::default());
     let mut events: Vec<PathEvent<Enclosure>> = Vec::new();
     for (index, event) in path.events.iter().enumerate() {

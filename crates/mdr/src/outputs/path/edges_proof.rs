@@ -84,12 +84,10 @@ impl Followed {
             if self.bits < precision.bits() {
                 *self = Followed::new(pair, precision)?;
             }
-            let model = certified.model::<Interval>(precision)?;
-            let (contact, start) = (model.at(Edge::Advancing).contact(), model.start(&scene.start)?);
+            let contact = certified.model::<Interval>(precision)?.at(Edge::Advancing).contact();
             // The states are known to more bits than integrals of few digits need.
             let path = self.path.map(|number| number.rounded(precision));
-            let way = (&start, scene.path.as_slice());
-            certified.with_energy(&contact, |energy| edges_energies::of_path(&path, way, &contact, energy))
+            certified.with_energy(&contact, |energy| edges_energies::of_path(&path, &scene.path, &contact, energy))
         }))
     }
 }
