@@ -1,6 +1,7 @@
 # make verify   the theory against the independent computation (arguments: make verify ARGS="--quick")
 # make test     all tests
 # make nightly  both with many more cases
+# make lints    layout, lints of every choice of features, documentation, and the build without GMP
 # The first build compiles GMP and MPFR from source and takes some minutes.
 
 # Where rustup puts cargo, and where Homebrew hides m4, when the shell does not look there.
@@ -8,7 +9,7 @@ export PATH := $(PATH):$(HOME)/.cargo/bin:/opt/homebrew/opt/m4/bin:/usr/local/op
 
 ARGS ?=
 
-.PHONY: verify test nightly build deps bench doc confirm proofs dist peers peers-fit peers-states python nanite oracle jkr capi book site site-test site-test-untimed site-test-timed site-tools nanite-tools
+.PHONY: verify test lints nightly build deps bench doc confirm proofs dist peers peers-fit peers-states python nanite oracle jkr capi book site site-test site-test-untimed site-test-timed site-tools nanite-tools
 
 # In the profile of the tests, with which it shares what is compiled: nearly all of its time is MPFR's, so a release is no faster.
 verify: deps
@@ -16,6 +17,10 @@ verify: deps
 
 test: deps
 	cargo test --locked
+
+# What must be clean before a commit.
+lints: deps
+	@sh scripts/lints.sh
 
 # The full cross-check at the seed of the day, and the random properties with thirty times their cases: an hour or two.
 nightly: deps
