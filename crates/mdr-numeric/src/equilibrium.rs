@@ -307,7 +307,7 @@ impl<R: Real> SearchedBranches<R> {
             return Ok(None);
         }
         match self.curve.direction_at(&a, value) {
-            Ok(change) => Ok(change.partial_cmp(&change.lit(0)).map(|_| (a, sign(&change)))),
+            Ok(change) => Ok(change.is_finite().then(|| (a, sign(&change)))),
             Err(Error::OutOfRange { .. } | Error::Domain { .. } | Error::NoConvergence { .. }) => Ok(None),
             Err(error) => Err(error),
         }

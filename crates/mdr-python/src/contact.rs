@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::io;
 
 use mdr::answer::Field;
-use mdr::columns::{Choice, ContactColumns, Event, State, States};
+use mdr::columns::{Choice, ContactColumns, EdgeColumns, Event, State, States};
 use mdr::critical::{PowerLaw, critical};
-use mdr::prelude::{Arithmetic, Control, Literal, Scene, Start, Status, Stop, Value, Want};
+use mdr::prelude::{Arithmetic, Control, Edge, Literal, Scene, Start, Status, Stop, Value, Want};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -23,8 +23,8 @@ pub(crate) type Values<'py> = PyReadonlyArray1<'py, f64>;
 /// a, d and F.
 type Row = (f64, f64, f64);
 pub(crate) type Columns<'py> = (Column<'py>, Column<'py>, Column<'py>);
-/// Kind, value, before, after, dissipated.
-type Happening = (&'static str, f64, Row, Row, f64);
+/// Kind, value, before, after, dissipated, the part of it that a receding edge has lost, edge.
+type Happening = (&'static str, f64, Row, Row, f64, f64, Option<&'static str>);
 
 /// Columns on all branches, admissible, stable, status.
 type Found<'py> = (Columns<'py>, Flags<'py>, Flags<'py>, Codes<'py>);
@@ -36,7 +36,10 @@ type Drawn<'py> = (Vec<Happening>, Columns<'py>, Option<[f64; 3]>);
 pub(crate) struct ContactClass {
     scene: Scene,
     law: Option<PowerLaw>,
+    /// With two works of adhesion, that of the receding edge.
     columns: ContactColumns,
+    /// With two works of adhesion, for histories.
+    edges: Option<EdgeColumns>,
 }
 
 #[pymethods]
@@ -47,8 +50,12 @@ impl ContactClass {
         let at_hand = |name: &str| files.get(name).cloned().ok_or_else(|| io::Error::from(io::ErrorKind::NotFound));
         let read = || {
             let scene = Scene::from_json(scene, "", &at_hand)?;
-            let (law, columns) = (PowerLaw::of(&scene), ContactColumns::new(&scene)?);
-            Ok(ContactClass { scene, law, columns })
+            let edges = if scene.has_two_works() { Some(EdgeColumns::new(&scene)?) } else { None };
+            let columns = match &edges {
+                Some(edges) => edges.at(Edge::Receding).clone(),
+                None => ContactColumns::new(&scene)?,
+            };
+            Ok(ContactClass { law: PowerLaw::of(&scene), scene, columns, edges })
         };
         detached(py, read)?.map_err(of_library)
     }
@@ -229,7 +236,10 @@ impl ContactClass {
         start: &str,
     ) -> PyResult<(Columns<'py>, Codes<'py>, Vec<Happening>)> {
         let (values, control, start) = (values.as_slice()?, control(held, stiffness)?, start_of(start)?);
-        let history = interruptible(py, |stop| self.columns.until(stop).follow(&control, values, &start))?;
+        let history = interruptible(py, |stop| match &self.edges {
+            Some(edges) => edges.until(stop).follow(&control, values, &start),
+            None => self.columns.until(stop).follow(&control, values, &start),
+        })?;
         let history = history.map_err(of_contact)?;
         let (columns, codes) = columns(py, history.states);
         Ok((columns, codes, history.jumps.iter().map(happening).collect()))
@@ -247,7 +257,10 @@ impl ContactClass {
         samples: usize,
     ) -> PyResult<Drawn<'py>> {
         let (way, control, start) = (way.as_slice()?, control(held, stiffness)?, start_of(start)?);
-        let path = interruptible(py, |stop| self.columns.until(stop).path(&control, way, &start, samples))?;
+        let path = interruptible(py, |stop| match &self.edges {
+            Some(edges) => edges.until(stop).path(&control, way, &start, samples),
+            None => self.columns.until(stop).path(&control, way, &start, samples),
+        })?;
         let path = path.map_err(of_contact)?;
         let curve = |of: fn(&State) -> f64| column(py, path.curve.iter().map(of).collect());
         let curve = (curve(|s| s.contact_radius), curve(|s| s.indentation), curve(|s| s.force));
@@ -408,7 +421,8 @@ fn row(state: State) -> Row {
 }
 
 fn happening(event: &Event) -> Happening {
-    (event.kind.name(), event.value, row(event.before), row(event.after), event.dissipated)
+    let edge = event.edge.map(|edge| edge.name());
+    (event.kind.name(), event.value, row(event.before), row(event.after), event.dissipated, event.hysteresis, edge)
 }
 
 const _: fn() = || {

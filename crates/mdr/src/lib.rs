@@ -202,7 +202,9 @@ pub mod reading {
 
 /// The items that a program needs: `use mdr::prelude::*`.
 pub mod prelude {
-    pub use mdr_core::contact::{Body, Control, ControlKind, Elasticity, Flank, FoldKind, Shape, Stability, Status};
+    pub use mdr_core::contact::{
+        Body, Control, ControlKind, Edge, Elasticity, Flank, FoldKind, Shape, Stability, Status,
+    };
     pub use mdr_core::number::{Exact, Literal};
     pub use mdr_numeric::path::EventKind;
 

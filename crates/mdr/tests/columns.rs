@@ -316,3 +316,32 @@ fn a_start_on_waves_is_a_half_width() {
         assert!(why.contains("half of the wavelength"), "{why}");
     }
 }
+
+/// A search for folds that is not resolved leaves open whether there is a state to start from: elliptical dimples on graded
+/// half-spaces.
+#[test]
+fn a_start_is_not_denied_where_folds_may_be_missing() {
+    let dimple = r#"{"kind": "elliptical-dimple", "depth": "0.090283", "radius": "4.9249"}"#;
+    let soil = r#"{"kind": "graded", "exponent": "-0.5", "coefficient": "163480000"}"#;
+    let contact = on_medium(soil, dimple, "12802000").expect("a contact");
+    let machine = Control::machine(28_603_000.0).expect("positive");
+    let states = contact.states(&machine, &[0.246_725], Choice::Largest).expect("states");
+    assert_eq!(states.status, [Status::Undecided]);
+    let why = contact.follow(&machine, &[0.246_725, 0.1], &Start::Largest).expect_err("no start").to_string();
+    assert!(why.contains("not resolved everywhere"), "{why}");
+}
+
+/// The distance of the reference over a half-width may be beyond the root of the largest double: there is no state there.
+#[test]
+fn a_line_contact_has_no_states_beyond_the_range_of_squares() {
+    let dimple = r#"{"kind": "parabolic-dimple", "depth": "0.0012885", "radius": "1.0264"}"#;
+    let line = on_medium(r#"{"kind": "plane", "reference": 1000}"#, dimple, "3.3226166684e-4").expect("a contact");
+    let found = line.equilibria(&Control::Indentation, &[-0.243_558]).expect("equilibria");
+    let radii: Vec<f64> = found.contact_radius.into_iter().filter(|a| !a.is_nan()).collect();
+    assert!(radii.len() == 2 && radii[0] > 1.0, "{radii:?}");
+    // (2/π)(L/b) is its slope: d = N (2/π) ln(2L/b) there, and not infinite.
+    let ball = on_medium(r#"{"kind": "plane", "reference": 1000}"#, BALL, "1/100").expect("a contact");
+    let state = ball.curve(&[1e-160]).expect("a state");
+    let per_force = 2.0 / std::f64::consts::PI * (2e3_f64.ln() - 1e-160_f64.ln());
+    assert!((state.indentation[0] / (state.force[0] * per_force) - 1.0).abs() < 1e-12, "{state:?}");
+}

@@ -84,6 +84,8 @@ pub(crate) fn openness<R: Real>(size: &R, wavelength: &R) -> R {
 /// arcosh(L/b) for b < L, without cancellation.
 pub(crate) fn arcosh_ratio<R: Real>(reference: &R, b: &R) -> R {
     let excess = (reference.clone() - b) / b;
-    let root = (excess.clone() * (excess.clone() + excess.lit(2))).sqrt();
+    let square = excess.clone() * (excess.clone() + excess.lit(2));
+    // Where the square is beyond the range of the numbers its root is hardly more than the excess, and less than one more.
+    let root = if square.is_finite() { square.sqrt() } else { excess.clone().inflate(&excess.lit(1)) };
     (excess + root).ln_1p()
 }

@@ -14,14 +14,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._edges import Works, in_scene, path_of, trace_of, works_of
+from ._edges import QUIET, Works, in_scene, works_of
 from ._numbers import Floats, Number, array, digits_of, double, exact, plain, positive, shaped
 from ._media import Medium
 from ._profiles import Files, Profile
 from ._states import Equilibria, Event, Fold, LoadingPath, State, States, Trace
 
 _Row: TypeAlias = tuple[float, float, float]
-_Happening: TypeAlias = tuple[str, float, _Row, _Row, float]
+_Happening: TypeAlias = tuple[str, float, _Row, _Row, float, float, Union[str, None]]
 
 
 @final
@@ -53,13 +53,13 @@ Start: TypeAlias = Literal["largest", "smallest", "detached"]
 
 
 def core_of(
-    profile: Profile, e_star: Number | None, work_of_adhesion: Number, medium: Medium | None = None
+    profile: Profile, e_star: Number | None, work_of_adhesion: Number | tuple[Number, Number], medium: Medium | None = None
 ) -> _core.Contact:
     """The contact in Rust."""
     files: Files = {}
     scene: dict[str, Any] = {
         "profile": profile._scene(files),
-        "material": {"work_of_adhesion": exact(work_of_adhesion, "work_of_adhesion")},
+        "material": {"work_of_adhesion": in_scene(work_of_adhesion, exactly=True)},
         "output": {"want": ["folds"]},
     }
     if e_star is not None:
@@ -135,7 +135,7 @@ class Contact:
             raise TypeError("e_star is missing: the effective modulus E* in Pa")
         self._profile, self._work, self._medium = profile, works_of(work_of_adhesion), medium
         self._e_star = None if e_star is None else plain(e_star)
-        self._core = core_of(profile, e_star, self._work[1] if isinstance(self._work, tuple) else self._work, medium)
+        self._core = core_of(profile, e_star, self._work, medium)
 
     @property
     def profile(self) -> Profile:
@@ -522,12 +522,11 @@ class Contact:
             There is no such state at the first value.
         """
         held, flat, shape, k = _held_values(indentation, force, position, stiffness)
-        if isinstance(self._work, tuple):
-            return trace_of(self._between(held, flat, stiffness, start), shape)
         columns, status, jumps = self._core.follow(flat, held, k, start)
         at = flat.reshape(shape) if held == "position" else None
         a, d, f, status = (shaped(column, shape) for column in (*columns, status))
-        return Trace(a, d, f, status, at, tuple(_event(jump) for jump in jumps))
+        quiet = QUIET if isinstance(self._work, tuple) else ()
+        return Trace(a, d, f, status, at, tuple(_event(jump) for jump in jumps if jump[0] not in quiet))
 
     def path(
         self,
@@ -546,7 +545,7 @@ class Contact:
         indentation, force, position, stiffness, start
             As those of :meth:`follow`; the values are way points.
         samples : int
-            States between each two events; with two works of adhesion, about so many between two way points.
+            States between each two events between which the edge moves.
 
         Examples
         --------
@@ -559,8 +558,6 @@ class Contact:
         False
         """
         held, flat, _, k = _held_values(indentation, force, position, stiffness)
-        if isinstance(self._work, tuple):
-            return path_of(self._between(held, flat, stiffness, start), samples)
         happenings, (a, d, f), balance = self._core.path(flat, held, k, start, samples)
         events = tuple(_event(event) for event in happenings)
         lost = sum(event.dissipated for event in events)
@@ -618,15 +615,6 @@ class Contact:
         scene = {"material": self._material(), "profile": self._profile, "control": by, "output": output}
         return scene if self._medium is None else scene | {"medium": self._medium}
 
-    def _between(self, held: str, flat: Floats, stiffness: Number | None, start: Start) -> dict[str, Any]:
-        """The scene of a path between two works of adhesion."""
-        way = [float(value) for value in flat]
-        if not all(map(math.isfinite, way)) or not way:
-            raise ValueError(f"{held}: expected finite values, at least one")
-        control: Control = "force" if held == "force" else "indentation"
-        if stiffness is not None:
-            control = Machine(stiffness)
-        return self.scene(control, path=way if len(way) > 1 else way * 2, start=start)
 
 def _contact(profile: Profile, e_star: Number | None, work_of_adhesion: Works, medium: Medium | None = None) -> Contact:
     if medium is None:
@@ -672,5 +660,5 @@ def _scalar(state: tuple[_Row, int]) -> States:
 
 
 def _event(row: _Happening) -> Event:
-    kind, value, before, after, dissipated = row
-    return Event(kind, value, State(*before), State(*after), dissipated)
+    kind, value, before, after, dissipated, hysteresis, edge = row
+    return Event(kind, value, State(*before), State(*after), dissipated, hysteresis, edge)

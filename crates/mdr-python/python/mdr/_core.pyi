@@ -37,7 +37,7 @@ _Codes: TypeAlias = NDArray[np.int8]
 _Flags: TypeAlias = NDArray[np.bool_]
 _Row: TypeAlias = tuple[float, float, float]
 _Columns: TypeAlias = tuple[Floats, Floats, Floats]
-_Event: TypeAlias = tuple[str, float, _Row, _Row, float]
+_Event: TypeAlias = tuple[str, float, _Row, _Row, float, float, str | None]
 _Range: TypeAlias = tuple[float, float] | None
 _Mark: TypeAlias = tuple[
     str,

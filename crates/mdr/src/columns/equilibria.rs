@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use mdr_analytic::double::{BranchSlices, Inverse, InverseBatch as Rows};
-use mdr_core::contact::{Control, Equilibrium, Result, Stability, Status};
+use mdr_core::contact::{Control, Equilibrium, Error, Quantity, Result, Stability, Status};
 use mdr_numeric::admissible::{Basis, GapVerdict};
 use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::equilibrium::SearchedBranches;
@@ -125,21 +125,32 @@ impl ContactColumns {
         let decided = admissibility.is_known() && !matches!(admissibility.basis(), Basis::Unproved { .. });
         for (i, value) in values.iter().enumerate() {
             let mut enter = |branch: usize, state: &Equilibrium<f64>, status: Status| {
+                let known = *stable[branch].get_or_insert(state.stability == Stability::Stable);
+                if known == (state.stability == Stability::Unstable) {
+                    let what = "on which branch a state is: folds are missing";
+                    return Err(Error::undecided(Quantity::ContactRadius, value, what));
+                }
                 let at = branch * len + i;
                 [contact_radius[at], indentation[at], force[at]] = self.numbers(state, control, *value);
                 admissible[at] = decided && status != Status::NotAdmissible;
-                stable[branch].get_or_insert(state.stability == Stability::Stable);
+                Ok(())
             };
             let found = control.check_value(value).and_then(|()| {
                 let mut whole = None;
                 for branch in 0..count {
                     if let Some((state, status)) = on_branch(branches, branch, value)? {
-                        enter(branch, &state, status);
+                        enter(branch, &state, status)?;
                         whole = Some(if status == Status::Fold { status } else { whole.unwrap_or(Status::Ok) });
                     }
                 }
                 Ok(whole.unwrap_or_else(|| nothing(branches)))
             });
+            if found.is_err() {
+                for at in (i..count * len).step_by(len) {
+                    [contact_radius[at], indentation[at], force[at]] = [f64::NAN; 3];
+                    admissible[at] = false;
+                }
+            }
             statuses.push(found.or_else(status_of)?);
         }
         let stable = stable.into_iter().map(|known| known.unwrap_or(false)).collect();

@@ -1,7 +1,8 @@
 //! The history of a contact while the controlled quantity moves slowly from value to value.
 
-use mdr_core::contact::{self, Control, Error, Result, Status};
+use mdr_core::contact::{self, Control, Edge, Error, Result, Status};
 use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::path::{self, Dissipation, EventKind, Path, PathEnergy, Start};
 
@@ -37,6 +38,11 @@ pub struct Event {
     pub after: State,
     /// The energy that is lost, in J: infinite where it has no bound, NaN where its integral does not converge.
     pub dissipated: f64,
+    /// The part of it that a receding edge has lost since the event before, with two works of adhesion; NaN where that is less than
+    /// doubles tell.
+    pub hysteresis: f64,
+    /// With two works of adhesion, the edge that jumps, stops, or begins to move.
+    pub edge: Option<Edge>,
 }
 
 /// A state for each value.
@@ -154,7 +160,24 @@ impl ContactColumns {
         known: usize,
         count: usize,
     ) -> Result<()> {
-        let (control, states) = (branches.control(), &mut history.states);
+        let control = branches.control();
+        self.arrivals(&mut history.states, path, control, [known, count]);
+        if path.events.iter().any(|event| !is_arrival(event.kind)) {
+            let losses = Dissipation::of_each(path, branches);
+            let jumps = self.events(path, &losses, control)?.into_iter();
+            history.jumps.extend(jumps.filter(|event| !is_arrival(event.kind)));
+        }
+        Ok(())
+    }
+
+    /// Appends the states at so many values of a path, of which the first `known` ones are known already.
+    pub(super) fn arrivals(
+        &self,
+        states: &mut States,
+        path: &Path<f64>,
+        control: &Control<f64>,
+        [known, count]: [usize; 2],
+    ) {
         let len = states.status.len() + count;
         for event in path.events.iter().filter(|event| is_arrival(event.kind)).skip(known).take(count) {
             let state = self.state_at(&event.after, control, event.value);
@@ -164,12 +187,6 @@ impl ContactColumns {
         for _ in states.status.len()..len {
             states.push([f64::NAN; 3], end_of(path));
         }
-        if path.events.iter().any(|event| !is_arrival(event.kind)) {
-            let losses = Dissipation::of_each(path, branches);
-            let jumps = self.events(path, &losses, control)?.into_iter();
-            history.jumps.extend(jumps.filter(|event| !is_arrival(event.kind)));
-        }
-        Ok(())
     }
 
     /// The events along way points, with the energy of each event, and `between` states between each two.
@@ -188,7 +205,8 @@ impl ContactColumns {
                 balance.map(|balance| [balance.work, balance.dissipated, balance.stored])
             });
             let events = self.events(&path, &losses, control)?;
-            Ok(LoadingPath { curve: self.curve_between(branches, &events, between)?, events, balance })
+            let curve = self.curve_between(|_| branches.curve(), &events, between)?;
+            Ok(LoadingPath { events, curve, balance })
         })
     }
 
@@ -210,7 +228,7 @@ impl ContactColumns {
     }
 
     /// The start of a path, by its size.
-    fn start(&self, start: &Start<f64>) -> Result<Start<f64>> {
+    pub(super) fn start(&self, start: &Start<f64>) -> Result<Start<f64>> {
         Ok(match start {
             Start::Nearest(radius) => Start::Nearest(self.size(*radius)?),
             start => start.clone(),
@@ -229,7 +247,7 @@ impl ContactColumns {
     }
 
     /// The events with the energy lost in each.
-    fn events(
+    pub(super) fn events(
         &self,
         path: &Path<f64>,
         losses: &[Result<Dissipation<f64>>],
@@ -244,13 +262,20 @@ impl ContactColumns {
                 Err(_) => f64::NAN,
             };
             let [before, after] = [&event.before, &event.after].map(|state| self.state_at(state, control, event.value));
-            Ok(Event { kind: event.kind, value: event.value, before, after, dissipated })
+            let edge = event.edge;
+            Ok(Event { kind: event.kind, value: event.value, before, after, dissipated, hysteresis: 0.0, edge })
         };
         path.events.iter().zip(losses).map(described).collect()
     }
 
-    /// The states of the events, and between two of them states at equal steps of the radius.
-    fn curve_between(&self, branches: &SearchedBranches<f64>, events: &[Event], between: usize) -> Result<Vec<State>> {
+    /// The states of the events, and between two of them states at equal steps of the radius on the curve of a contact that grows, or
+    /// does not.
+    pub(super) fn curve_between<'c>(
+        &self,
+        curve: impl Fn(bool) -> &'c Contact<f64>,
+        events: &[Event],
+        between: usize,
+    ) -> Result<Vec<State>> {
         let mut states: Vec<State> = Vec::new();
         let mut last: Option<State> = None;
         for event in events {
@@ -259,7 +284,7 @@ impl ContactColumns {
                 for step in 1..=between {
                     let radius = from + (to - from) * (step as f64 / (between + 1) as f64);
                     // A radius at which g has no number, such as an edge, is passed by.
-                    let found = self.size(radius).and_then(|size| branches.curve().state(&size));
+                    let found = self.size(radius).and_then(|size| curve(to > from).state(&size));
                     if let Ok((indentation, force)) = lack(found)? {
                         states.push(State { contact_radius: radius, indentation: self.depth(indentation), force });
                     }

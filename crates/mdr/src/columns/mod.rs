@@ -6,6 +6,7 @@
 //! Answers are columns. Where there is no state at a value its numbers are NaN and a status says why; an error concerns the
 //! whole question.
 
+mod edges;
 mod equilibria;
 mod held;
 mod history;
@@ -23,13 +24,14 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::fields::Fields;
-use mdr_numeric::folds::{self, Folds};
+use mdr_numeric::folds::{self, Folds, SearchQuality};
 
 use crate::answer::Field;
 use crate::run::Stop;
 use crate::scene::{ExactMedium, Profile, Scene};
 use crate::solve;
 
+pub use edges::EdgeColumns;
 pub use held::EnergyBalance;
 pub use history::{Event, History, LoadingPath, State};
 
@@ -122,11 +124,17 @@ impl ContactColumns {
     pub fn new(scene: &Scene) -> crate::Result<Self> {
         scene.places.require_doubles("ask for certified digits")?;
         if scene.has_two_works() {
-            let why = "states in columns are those of one work of adhesion: give the one of the edge that is meant";
+            let why = "states in columns are those of one work of adhesion: give the one of the edge that is meant; histories \
+                       between two have EdgeColumns";
             return Err(scene.places.of("material.work_of_adhesion").refuse(why));
         }
         scene.check_profile_on_medium()?;
-        let contact = scene.assembled::<f64>(())?.with_control(Control::Indentation);
+        Ok(Self::assembled(scene, scene.assembled::<f64>(())?))
+    }
+
+    /// From the contact of a scene.
+    fn assembled(scene: &Scene, contact: contact::Contact<f64>) -> Self {
+        let contact = contact.with_control(Control::Indentation);
         let law = scene.profile.power_law(Literal::nearest_f64, |radius| 0.5 / radius);
         let parts = Parts {
             law: law.filter(|_| scene.medium.is_half_space()),
@@ -136,7 +144,7 @@ impl ContactColumns {
             inverses: Default::default(),
             known: Mutex::default(),
         };
-        Ok(ContactColumns { parts: Arc::new(parts), stop: Stop::default() })
+        ContactColumns { parts: Arc::new(parts), stop: Stop::default() }
     }
 
     /// This contact, with questions that end when they are stopped, from any thread, with [`Error::Stopped`].
@@ -311,7 +319,12 @@ impl ContactColumns {
             Arc::new(solve::on_medium(&self.parts.profile, &self.parts.medium, transform, length, &radii))
         };
         let admissibility = Arc::clone(known.admissibility.get_or_init(search));
-        ask(&branches.with_admissibility(admissibility))
+        ask(&branches.with_admissibility(admissibility)).map_err(|error| match error {
+            Error::NoEquilibrium { quantity, .. } if known.folds.completeness == SearchQuality::Doubtful => {
+                solve::unresolved(quantity)
+            }
+            error => error,
+        })
     }
 
     /// The results of the last search. A thread that panicked has left them whole: they are replaced at once.

@@ -152,6 +152,12 @@ fn is_open(error: &contact::Error) -> bool {
     )
 }
 
+/// Where there is no equilibrium to start from, but the search for folds was not resolved everywhere, there may be one all the same.
+pub(crate) fn unresolved(quantity: contact::Quantity) -> contact::Error {
+    let what = "whether there is an equilibrium to start from: the search for folds was not resolved everywhere";
+    contact::Error::Undecided { quantity, bits: f64::MANTISSA_DIGITS, what }
+}
+
 /// No provider has an output, which is no fault of the scene.
 fn unanswered() -> contact::Error {
     let what = "an output for which there is no way to compute it";
@@ -372,8 +378,7 @@ impl<'s> Solver<'s> {
         if !want.kind().moves() || self.scene.start == Start::Detached || !doubtful().unwrap_or(true) {
             return error;
         }
-        let what = "whether there is an equilibrium to start from: the search for folds was not resolved everywhere";
-        contact::Error::Undecided { quantity, bits: 53, what }
+        unresolved(quantity)
     }
 
     /// What is wrong with the scene when it has no answer.

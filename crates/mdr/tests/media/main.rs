@@ -2,6 +2,7 @@
 
 #![cfg(feature = "mp")]
 
+mod depths;
 mod rises;
 mod scans;
 mod shapes;

@@ -9,7 +9,7 @@ use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::fields::Fields;
 use mdr_numeric::path::{EdgeEnergies, EdgeLoss, Edges, Path};
 
-use super::events::{self, balance, dissipated, plus, shown, unknown, work};
+use super::events::{self, balance, dissipated, plus, unknown, work};
 use super::{Balance, PathEvent, PathNumbers};
 use crate::answer::record::Numbers;
 use crate::answer::{AtValue, Optional, Value};
@@ -133,8 +133,7 @@ pub(super) fn with_energy<R: SceneReal>(
     }
     let balance = balance(path, way, energies.stored(path), &jumps)?;
     let balance = balance.map(|balance| split(balance, &hysteresis));
-    let events = events::events(receding.control(), &shown(path, receding.curve().medium()), receding.admissibility())
-        .convert(Estimate::exact);
+    let events = events::of_contact(receding.curve(), path, receding.admissibility()).convert(Estimate::exact);
     let losses = jumps.into_iter().zip(hysteresis);
     let events = events.into_iter().zip(losses).map(|(event, (dissipated, hysteresis))| PathEvent {
         dissipated,

@@ -1,8 +1,9 @@
 //! The path between two works of adhesion over enclosures: every digit and every decision proved, and its energies on a half-space.
 
-use mdr_core::contact::{Control, Edge, Result};
+use mdr_core::contact::{Edge, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Precision};
+use mdr_numeric::contact::Contact;
 use mdr_numeric::path::Path;
 use mdr_numeric::proof::ProvedBranches;
 
@@ -49,9 +50,7 @@ pub(crate) fn with_path<T>(
 /// A path that was followed over enclosures.
 pub(super) struct Followed {
     path: Path<Interval>,
-    /// The path with contact radii for sizes.
-    shown: Path<Interval>,
-    control: Control<Interval>,
+    contact: Contact<Interval>,
     bits: u32,
 }
 
@@ -63,10 +62,7 @@ impl Followed {
     /// more bits do not help.
     fn new(pair: &Pair<'_, '_>, precision: Precision) -> Result<Self> {
         with_path(pair, precision, |enclosed, _, path| {
-            let model = &enclosed[1].value;
-            let shown = events::shown(&path, model.contact().medium());
-            let control = model.control().clone();
-            Ok(Followed { path, shown, control, bits: precision.bits() })
+            Ok(Followed { path, contact: enclosed[1].value.contact(), bits: precision.bits() })
         })
     }
 
@@ -103,7 +99,7 @@ pub(super) fn path(pair: &Pair<'_, '_>, energies: Energies) -> Result<Option<(Lo
     let mut last = None;
     let items = receding.decide_from(precision, |precision| {
         let followed = last.insert(Followed::new(pair, precision)?);
-        let events = events::events(&followed.control, &followed.shown, &*receding.admissibility()?);
+        let events = events::of_contact(&followed.contact, &followed.path, &*receding.admissibility()?);
         let mut events = events.convert(Enclosure::from);
         set_exact(&mut events, &followed.path, scene);
         Ok(events)

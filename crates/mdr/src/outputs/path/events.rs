@@ -7,6 +7,7 @@ use mdr_core::contact::{self, Control, Error, Result, Status};
 use mdr_core::number::Literal;
 use mdr_numeric::admissible::{Admissibility, GapVerdict, Ring};
 use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::medium::Medium;
 use mdr_numeric::path::{self, ContactState, Event, EventKind, Path, stored};
@@ -42,15 +43,24 @@ pub(crate) fn events<R: SceneReal>(
     path.events.iter().map(|event| of_event(control, event, admission(event, admissibility))).collect()
 }
 
-/// Leaves the depths out that a medium does not have.
-pub(crate) fn without_depths<N>(events: &mut [PathEvent<N>]) {
-    for event in events {
-        (event.indentation, event.to_indentation) = (None, None);
+/// The events of a path of a contact, as [`events`], with contact radii for sizes and without depths that its medium does not have.
+pub(crate) fn of_contact<R: SceneReal>(
+    contact: &Contact<R>,
+    path: &Path<R>,
+    admissibility: &Admissibility,
+) -> Vec<PathEvent<R>> {
+    let medium = contact.medium();
+    let mut events = events(contact.control(), &shown(path, medium), admissibility);
+    if !medium.has_depth() {
+        for event in &mut events {
+            (event.indentation, event.to_indentation) = (None, None);
+        }
     }
+    events
 }
 
 /// A path with contact radii for the sizes of its contacts.
-pub(crate) fn shown<R: SceneReal>(path: &Path<R>, medium: &Medium<R>) -> Path<R> {
+fn shown<R: SceneReal>(path: &Path<R>, medium: &Medium<R>) -> Path<R> {
     let mut path = path.clone();
     for event in &mut path.events {
         for state in [&mut event.before, &mut event.after] {
@@ -186,13 +196,7 @@ pub(crate) fn with_energy<R: SceneReal>(
 
 /// The events of a path with contact radii, without energies.
 pub(crate) fn alone<R: SceneReal>(path: &Path<R>, branches: &SearchedBranches<R>) -> Vec<PathEvent<Estimate<R>>> {
-    let medium = branches.curve().medium();
-    let mut events =
-        events(branches.control(), &shown(path, medium), branches.admissibility()).convert(Estimate::exact);
-    if !medium.has_depth() {
-        without_depths(&mut events);
-    }
-    events
+    of_contact(branches.curve(), path, branches.admissibility()).convert(Estimate::exact)
 }
 
 /// The energy lost in an event; unknown where its integral does not converge.

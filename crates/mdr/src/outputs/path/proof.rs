@@ -4,6 +4,7 @@ use mdr_core::contact::{Control, Error, Result};
 use mdr_core::number::certify::Enclosure;
 use mdr_core::number::{Interval, Literal, Precision};
 use mdr_numeric::branch::EquilibriumBranches;
+use mdr_numeric::contact::Contact;
 use mdr_numeric::path::{Event, EventKind, Path};
 use mdr_numeric::proof::ProvedBranches;
 
@@ -21,9 +22,7 @@ const ENOUGH: u32 = 16;
 /// A path that was followed over enclosures.
 pub(super) struct Followed {
     path: Path<Interval>,
-    /// The path with contact radii for sizes.
-    shown: Path<Interval>,
-    control: Control<Interval>,
+    contact: Contact<Interval>,
     bits: u32,
 }
 
@@ -35,9 +34,7 @@ impl Followed {
     /// bits do not help.
     fn new(certified: &Certified<'_>, folds: &FoldProof, precision: Precision) -> Result<Self> {
         with_path(certified, folds, precision, |enclosed, _, path| {
-            let shown = events::shown(&path, enclosed.value.contact().medium());
-            let control = enclosed.value.control().clone();
-            Ok(Followed { path, shown, control, bits: precision.bits() })
+            Ok(Followed { path, contact: enclosed.value.contact(), bits: precision.bits() })
         })
     }
 }
@@ -120,7 +117,7 @@ impl Followed {
         let scene = certified.scene;
         let begin = start(certified.digits);
         if !certified.encloses_energies()? {
-            let falls = energies::of_falls(&self.path, &self.control);
+            let falls = energies::of_falls(&self.path, self.contact.control());
             let of_falls = |falls: PathNumbers<Enclosure>| {
                 reached(decide_within(MOST_OF_INTEGRALS, begin, certified.digits, |_| Ok(falls.clone())))
             };
@@ -152,16 +149,13 @@ pub(super) fn path(
     let mut last = None;
     let items = certified.decide_from(precision, |precision| {
         let followed = last.insert(Followed::new(certified, folds, precision)?);
-        let events = events::events(&followed.control, &followed.shown, &*certified.admissibility()?);
+        let events = events::of_contact(&followed.contact, &followed.path, &*certified.admissibility()?);
         let mut events = events.convert(Enclosure::from);
         set_exact(&mut events, &followed.path, scene);
         for (record, event) in events.iter_mut().zip(&followed.path.events) {
-            if breaks_at_zero_depth(scene, event) {
+            if breaks_at_zero_depth(scene, event) && scene.pressed_into().has_depth() {
                 record.indentation = Some(exactly(&0.into()));
             }
-        }
-        if !scene.pressed_into().has_depth() {
-            events::without_depths(&mut events);
         }
         Ok(events)
     });
