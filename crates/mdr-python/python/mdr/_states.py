@@ -82,8 +82,8 @@ class Event:
     """Something that happens on the way: ``jump-in``, ``jump``, ``detached`` and the like, as in scenes.
 
     ``value`` is that of the controlled quantity, and ``dissipated`` the energy lost in J, infinite where it has no bound and NaN
-    where it is not known. With two works of adhesion ``hysteresis`` is the part of it that the receding edge has lost since the event before, and ``edge`` the
-    one that jumps, stops, or begins to move.
+    where it is not known. With two works of adhesion ``hysteresis`` is the part of it that the receding edge has lost since the
+    event before, and ``edge`` the one that jumps, stops, or begins to move.
     """
 
     kind: str
