@@ -142,6 +142,8 @@ fn admissibility(branches: &SearchedBranches<f64>, flat: Option<&Arc<dyn Transfo
         return Admissibility::of_rising();
     }
     let unknown = Admissibility::unknown(NOT_SEARCHED);
-    let at_tip = flat.is_none_or(|flat| Admissibility::new(Arc::clone(flat), range).touches_at_tip());
-    if at_tip { unknown.touching_at_tip() } else { unknown }
+    match flat {
+        Some(flat) => unknown.touching_as(&Admissibility::new(Arc::clone(flat), range)),
+        None => unknown.touching_as(Admissibility::rising()),
+    }
 }

@@ -149,6 +149,8 @@ pub enum Basis {
     Searched,
     /// The search did not resolve g everywhere: an interpenetration that is found is certain, but others may exist.
     Doubtful,
+    /// Nothing is known of any state, for this reason.
+    Unknown(&'static str),
     /// The profile is a formula or a function, and may have dips between the radii of the search: an interpenetration that is found is
     /// certain, and no state is called admissible.
     Unproved {
@@ -195,10 +197,16 @@ impl Admissibility {
         Admissibility { unknown: Some(why), ..Self::of_rising() }
     }
 
-    /// With the first touch of the separated surfaces, where it is known that it is at the tip and nothing else is.
+    /// With the first touch of the separated surfaces as on a half-space, where that is all that is known: it is a matter of f alone. A
+    /// search in doubles tells whether it is at the tip, and an enclosed formula on which ring.
     #[must_use]
-    pub fn touching_at_tip(self) -> Self {
-        Admissibility { touch: Some(FirstTouch::Tip), ..self }
+    pub fn touching_as(self, on_half_space: &Admissibility) -> Self {
+        let touch = match &on_half_space.touch {
+            _ if on_half_space.touches_at_tip() => FirstTouch::Tip,
+            Some(touch) => touch.clone(),
+            None => FirstTouch::Open { at_least: f64::NEG_INFINITY, heights: HeightSource::Formula },
+        };
+        Admissibility { touch: Some(touch), ..self }
     }
 
     /// Whether it is decided that the separated surfaces first touch at the tip.
@@ -227,6 +235,9 @@ impl Admissibility {
         #[cfg(feature = "mp")]
         if self.gaps.is_some() {
             return Basis::Proved;
+        }
+        if let Some(why) = self.unknown {
+            return Basis::Unknown(why);
         }
         match &self.terrain {
             None if self.holds_by_form() => Basis::Bound,

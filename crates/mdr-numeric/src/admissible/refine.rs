@@ -69,7 +69,7 @@ pub fn first_touch<R: Real>(curve: &Contact<R>, admissibility: &Admissibility) -
 
 /// Refuses to say where surfaces first touch where that is not searched.
 fn require_known<R: Real>(admissibility: &Admissibility, like: &R) -> Result<()> {
-    if admissibility.unknown.is_some() && !matches!(admissibility.touch, Some(FirstTouch::Tip)) {
+    if admissibility.unknown.is_some() && matches!(admissibility.touch, None | Some(FirstTouch::Open { .. })) {
         let what = "where the surfaces first touch: it is not searched on this medium; begin in contact";
         return Err(Error::undecided(Quantity::Indentation, like, what));
     }

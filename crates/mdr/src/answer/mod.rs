@@ -99,6 +99,7 @@ pub fn described(basis: Basis) -> Cow<'static, str> {
             "decided in f64; the extrema of g were not resolved everywhere: an overlap that is found is one, and where none is \
              found it is not known"
         }
+        Basis::Unknown(why) => return Cow::Owned(format!("not known: {why}")),
         Basis::Unproved { width, heights } => {
             return Cow::Owned(format!(
                 "not decided where no overlap is found: g of a {heights} was searched in f64, at radii up to {width:.2} of \

@@ -41,14 +41,14 @@ pub(crate) fn on_medium(
         return Admissibility::of_rising();
     }
     let unknown = Admissibility::unknown(NOT_SEARCHED);
-    if touches_at_tip(profile, medium, length, folds) { unknown.touching_at_tip() } else { unknown }
-}
-
-/// Whether f is lowest at the tip. A profile on a periodic medium is one that rises from there to half of the wavelength.
-fn touches_at_tip(profile: &Profile, medium: &ExactMedium, length: f64, folds: &[f64]) -> bool {
-    let on_half_space =
-        || transform_in_doubles(profile).map(|transform| admissibility(profile, transform.into(), length, folds));
-    medium.is_periodic() || on_half_space().is_ok_and(|known| known.touches_at_tip())
+    // A profile on a periodic medium rises from its tip to half of the wavelength.
+    if medium.is_periodic() {
+        return unknown.touching_as(Admissibility::rising());
+    }
+    match transform_in_doubles(profile) {
+        Ok(transform) => unknown.touching_as(&admissibility(profile, transform.into(), length, folds)),
+        Err(_) => unknown,
+    }
 }
 
 /// The admissibility of states on a half-space with folds at the given contact radii, for the length w/E*.

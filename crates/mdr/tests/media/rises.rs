@@ -37,14 +37,19 @@ fn a_fall_beyond_the_range_is_no_rise() {
     assert!(!all_admissible(GRADED, profile, GRIPS, ""));
 }
 
-/// f = r²/2 − r²/(1000r² + 1) falls next to the tip, below the range of the proof: where the surfaces touch first is not known there.
+/// f = r²/2 − r²/(1000r² + 1) falls next to the tip, below the range of the proof: the surfaces touch first on the ring with
+/// (1000r² + 1)² = 2.
 #[test]
 fn a_fall_below_the_range_is_no_rise() {
     let way = "kind = \"indentation\"\npath = [\"-0.1\", \"0.01\"]\nstart = \"detached\"";
     let want = "want = [\"path\"]\nfolds.range = [\"0.05\", \"10\"]\ndigits = 8";
     let answer = solve(&scene(WINKLER, &formula("r^2/2 - r^2/(1000*r^2 + 1)"), way, want));
-    let events: Vec<_> = answer.path().expect("wanted").events.items.iter().map(|event| event.event.name()).collect();
-    assert_eq!(events, ["undecided"]);
+    let events = &answer.path().expect("wanted").events.items;
+    let kinds: Vec<_> = events.iter().map(|event| event.event.name()).collect();
+    assert_eq!(kinds, ["start", "not-admissible"]);
+    let root = 2.0_f64.sqrt();
+    let depth = events[1].indentation.as_ref().and_then(Value::to_f64).expect("a depth");
+    assert!((depth / ((root - 1.0) / 1000.0 * (0.5 - 1.0 / root)) - 1.0).abs() < 1e-7, "{depth}");
 }
 
 /// A flat that a dimple surrounds ends before the range of its folds does.
@@ -100,5 +105,26 @@ fn a_start_that_is_not_found_is_not_denied() {
         let answer = solve(&text.replace("\"1/100\"", work));
         let [start] = answer.energy().expect("wanted").items.as_slice() else { panic!("{answer:?}") };
         assert_eq!(start.status, Status::Undecided, "{work}");
+    }
+}
+
+/// Of a profile that is lowest on a ring the surfaces first touch there, on every medium; a path to that depth ends, and what came before is
+/// known. Which depth that is enclosures of a formula tell.
+#[test]
+fn a_path_ends_where_surfaces_come_to_touch_on_a_ring() {
+    let way = "kind = \"indentation\"\npath = [\"0.1\", \"-0.5\", \"0.1\"]";
+    let displaced = "kind = \"displaced-paraboloid\"\nradius = 1\noffset = \"0.04\"";
+    let ends =
+        [(formula("(r - 0.04)^2/2 - 0.0008"), "not-admissible", -8e-4), (displaced.to_owned(), "undecided", 0.1)];
+    for (profile, end, depth) in &ends {
+        for (digits, promise) in [("digits = 12", Promise::Certified), ("arithmetic = \"f64\"", Promise::F64)] {
+            let answer = solve(&scene(GRADED, profile, way, &format!("want = [\"path\"]\n{digits}")));
+            let events = &answer.path().expect("wanted").events;
+            let kinds: Vec<_> = events.items.iter().map(|event| event.event.name()).collect();
+            assert_eq!((events.promise, kinds.as_slice()), (promise, &["start", "detached", "way-point", end][..]));
+            let last = events.items[3].indentation.as_ref().and_then(Value::to_f64).expect("a depth");
+            assert!((last / depth - 1.0).abs() < 1e-12, "{last}");
+            assert_eq!(answer.admissibility.map(|basis| matches!(basis, Basis::Unknown(_))), Some(true));
+        }
     }
 }
