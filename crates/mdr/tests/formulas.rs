@@ -532,3 +532,17 @@ fn no_contact_is_complete_where_g_does_not_converge() {
     let events: Vec<_> = answer["path"].as_array().unwrap().iter().map(|event| event["event"].clone()).collect();
     assert_eq!(events, ["start", "undecided"], "{answer}");
 }
+
+/// Whether a contact of 40 km within a bump of 3 km overlaps takes more heights than there are: the states have their digits all the same.
+#[test]
+fn states_outlast_the_heights_of_their_gaps() {
+    let rest = "material = { e_star = \"3.5476\", work_of_adhesion = \"4.0709e-05\" }\ncontrol = { kind = \"indentation\" }\n\
+                output = { want = [\"equilibria\"], equilibria = { at = [\"-1.71597\", \"-1.42447\"] }, digits = 12 }";
+    let text =
+        format!("profile = {{ kind = \"expression\", formula = \"2.45*(r/2.45)^1.5*exp(-(r/2.45)/10)\" }}\n{rest}");
+    let answer = solved_within(&text, 2.0);
+    assert_eq!(answer["promise"]["equilibria"], "certified", "{answer}");
+    for at in answer["equilibria"].as_array().unwrap() {
+        assert_eq!(at["equilibria"].as_array().unwrap().len(), 3, "{answer}");
+    }
+}

@@ -88,3 +88,18 @@ fn folds_beyond_the_range_of_doubles_are_proved() {
     assert_eq!(within.len(), 1);
     assert_eq!(folds("1e400", "1e388"), within);
 }
+
+/// Off the half-space doubles know a table by its heights, each of which sees two rows: they do not weigh as much as all.
+#[test]
+fn a_noisy_table_in_line_contact_has_its_folds() {
+    let noise = |i: i32| (f64::from((i * 7919) % 101) / 101.0 - 0.5) * 0.1;
+    let row = |i: i32| (f64::from(i) / 40.0, (f64::from(i) / 40.0).powi(2) / 2.0 * (1.0 + noise(i)));
+    let rows: String = (1..=40).map(row).map(|(r, f)| format!("{r},{f:.6}\n")).collect();
+    let file = move |_: &str| Ok(format!("r,f\n0,0\n{rows}").into_bytes());
+    let text = r#"{"profile": {"kind": "table", "file": "tip.csv", "columns": "r,f"}, "medium": {"kind": "plane", "reference": 100},
+        "material": {"e_star": 1, "work_of_adhesion": "1e-3"}, "control": {"kind": "indentation"},
+        "output": {"want": ["folds"], "arithmetic": "f64"}}"#;
+    let answer = solve(&Scene::from_json(text, "scene.json", &file).expect("a scene"), 5.0).expect("an answer");
+    let folds = answer.folds().expect("wanted");
+    assert!(folds.items.len() > 10, "{folds:?}");
+}

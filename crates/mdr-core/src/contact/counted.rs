@@ -116,6 +116,21 @@ impl Budget {
         self.left().is_some_and(|left| left <= self.reserve.load(Ordering::Relaxed))
     }
 
+    /// The work that is left beside half of what is kept for what begins last, if there is a limit: for a proof that comes after all others,
+    /// so that what begins last is not likely to be needed.
+    ///
+    /// ```
+    /// use mdr_core::contact::Budget;
+    /// let budget = Budget::default();
+    /// assert_eq!(budget.left_for_last_proof(), None);
+    /// budget.allow(100);
+    /// budget.spend(30);
+    /// assert_eq!(budget.left_for_last_proof(), Some(60));
+    /// ```
+    pub fn left_for_last_proof(&self) -> Option<u64> {
+        self.left().map(|left| left.saturating_sub(self.reserve.load(Ordering::Relaxed) / 2))
+    }
+
     /// The work that is left, if there is a limit.
     pub fn left(&self) -> Option<u64> {
         let limit = self.limit.load(Ordering::Relaxed);

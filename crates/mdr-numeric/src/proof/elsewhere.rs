@@ -17,8 +17,10 @@ const WIDEST: f64 = 1.03;
 const FINEST: f64 = 1.0 + 1e-9;
 /// The share of the heights after which another way is tried to decide a gap: beside something narrow that is soon found,
 const BEFORE_ANOTHER: u64 = 8;
-/// by the minima of d, or by rings of 1 + 2^−k and of 2^k contact radii, k up to so many.
+/// by the minima of d, or by rings of 1 + 2^−k and of 2^k contact radii, k up to so many,
 const RINGS: i64 = 30;
+/// which may take this share.
+const OF_RINGS: u64 = 2;
 /// The octaves beyond a contact in which an overlap is looked for where the gap is not known to be open far away.
 const NEAR: u32 = 4;
 /// The most heights of f, counted over intervals, that are spent on a contact, with those of g: about a second.
@@ -103,7 +105,9 @@ impl Outside<'_> {
     fn closed_ring(&self, place: &Place) -> Option<Seen> {
         let octave = |k: i64| place.a.lit(2).powi(k) * &place.a;
         let near = (1..=RINGS).map(|k| octave(-k) + &place.a);
-        near.chain((1..=RINGS).map(octave)).find_map(|r| {
+        let last = self.profile.work() + self.heights / OF_RINGS;
+        let mut affordable = near.chain((1..=RINGS).map(octave)).take_while(|_| self.profile.work() <= last);
+        affordable.find_map(|r| {
             let radius = r.midpoint();
             let [gap, ..] = self.gap(place, &radius).ok()?;
             (*gap.upper() < 0).then(|| Seen::Closed { radius: radius.approx(), gap: gap.approx() })

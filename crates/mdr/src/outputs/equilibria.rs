@@ -222,9 +222,13 @@ fn proved_at(
         let enclosed = Enclosed::new(certified, precision)?;
         let parts = ProvedBranches::of_parts(&enclosed.curve(), &folds.proved)?;
         let admissibility = certified.admissibility()?;
-        let at = |literal: &Literal| {
+        let found = |literal: &Literal| {
             let value = enclosed.value.number(literal);
-            let found = parts.iter().map(|branches| branches.equilibria(&value)).collect::<Result<Vec<_>>>()?;
+            parts.iter().map(|branches| branches.equilibria(&value)).collect::<Result<Vec<_>>>()
+        };
+        // All states before the first gap: they have digits without a verdict, which may take what is left of the budget.
+        let found = values.iter().map(found).collect::<Result<Vec<_>>>()?;
+        let at = |(literal, found): (&Literal, Vec<Vec<contact::Equilibrium<Interval>>>)| {
             let mut states = Vec::new();
             for state in found.into_iter().flatten() {
                 if limits.map_or(Ok(true), |limits| {
@@ -244,7 +248,7 @@ fn proved_at(
             };
             Ok(AtValue { why, ..AtValue::new(literal, states) })
         };
-        values.iter().map(at).collect::<Result<Vec<_>>>()
+        values.iter().zip(found).map(at).collect::<Result<Vec<_>>>()
     });
     proof::decided(items)
 }

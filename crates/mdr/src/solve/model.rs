@@ -11,7 +11,7 @@ use mdr_numeric::path;
 
 #[cfg(feature = "mp")]
 use super::media;
-use super::weight::weight;
+use super::weight::weight_on;
 use crate::answer::{PlainState, Value};
 use crate::run::Counts;
 pub(crate) use crate::scene::SceneReal;
@@ -44,7 +44,8 @@ impl<R: SceneReal> Model<R> {
     }
 
     fn counted(scene: &Scene, ctx: R::Ctx, contact: Contact<R>, counts: &Counts) -> Self {
-        let weight = weight(&scene.profile, R::INDEX, R::from_int(ctx, 1).precision());
+        let bits = R::from_int(ctx, 1).precision();
+        let weight = weight_on(&scene.profile, &scene.medium, R::INDEX, bits);
         Model { ctx, contact: counted(&contact, &counts[R::INDEX], weight) }
     }
 

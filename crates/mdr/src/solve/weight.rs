@@ -2,13 +2,23 @@
 
 use mdr_core::contact::Shape;
 
-use crate::scene::Profile;
+use crate::scene::{ExactMedium, Profile};
 
 /// The work of one value of g, or of one height of its quadrature, in nanoseconds of a machine of 2024: for an arithmetic by its
 /// [place](crate::run::ARITHMETICS) and so many bits. Measured, to within a factor of three, from 53 to 3500 bits.
 pub(crate) fn weight(profile: &Profile, arithmetic: usize, bits: u32) -> u64 {
     let costs = Costs::of(arithmetic, u64::from(bits));
     costs.of_profile(profile)
+}
+
+/// The work of one value of g, or of one height of its quadrature, on a medium: off the half-space doubles know a table by its heights,
+/// each of which sees two rows, and not by integrals over all.
+pub(crate) fn weight_on(profile: &Profile, medium: &ExactMedium, arithmetic: usize, bits: u32) -> u64 {
+    let costs = Costs::of(arithmetic, u64::from(bits));
+    if arithmetic > 0 || medium.is_half_space() {
+        return costs.of_profile(profile);
+    }
+    Costs { row: 0, ..costs }.of_profile(profile)
 }
 
 /// The work of one value of g over intervals of doubles, in nanoseconds.
