@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use mdr_core::contact::{Expression, FormulaShape, Lowest};
+use mdr_core::contact::{Expression, FormulaShape, Lowest, Profile, Shape};
 use mdr_core::number::{Literal, Precision};
 use rug::Float;
 
@@ -148,5 +148,25 @@ fn what_is_not_unique_stays_open() {
     for formula in ["cos(r) - 1", "-(r^2)"] {
         let lowest = shape(formula, "1").lowest;
         assert!(matches!(lowest, Lowest::Open { .. }), "{formula}: {lowest:?}");
+    }
+}
+
+/// The rings of the shapes of the library, and that others are lowest at the tip, against heights of their formulas on many radii.
+#[test]
+fn rings_of_shapes_are_those_of_their_formulas() {
+    for name in Shape::names() {
+        // All parameters differ; of a wave on a paraboloid the amplitude is positive.
+        let mut tenths = 1;
+        let shape = Shape::by_name(name).unwrap().map(|_, ()| {
+            tenths += 3;
+            format!("{tenths}/10").parse::<Literal>().unwrap()
+        });
+        let (formula, values) = shape.formula().unwrap();
+        let heights = formula.bind::<f64>((), &values).unwrap().broken_at((), &formula.breaks(&values).unwrap());
+        let [radius, lowest] = shape.map(|_, length| length.nearest_f64()).lowest_ring().unwrap_or([0.0, 0.0]);
+        assert!(radius == 0.0 || (heights.height(&radius) - lowest).abs() < 1e-15, "{name}");
+        for r in (1..=4000).map(|k| f64::from(k) * 1e-3) {
+            assert!(!(heights.height(&r) < lowest - 1e-15), "{name}: {r}");
+        }
     }
 }

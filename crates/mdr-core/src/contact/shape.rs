@@ -1,6 +1,6 @@
 //! The profiles of the library by name, with parameters of any type.
 
-use crate::number::Special;
+use crate::number::{Real, Special};
 use crate::units::SiUnit;
 
 /// Declares the shapes: names, parameters in their order, each a number `N` with its unit or a [`Flank`] of one and with the symbol
@@ -306,6 +306,30 @@ impl<N> Shape<N> {
             | Shape::RoundedPunch { radius, .. }
             | Shape::DisplacedParaboloid { radius, .. }
             | Shape::WavyParaboloid { radius, .. } => Some(radius),
+            _ => None,
+        }
+    }
+
+    /// The radius of the ring on which f is lowest and f there, below the tip: the ridge of a displaced paraboloid, and the rim of a dimple.
+    /// `None` for other shapes, which are lowest at the tip unless they have waves.
+    ///
+    /// ```
+    /// use mdr_core::contact::Shape;
+    /// assert_eq!(Shape::DisplacedParaboloid { radius: 2.0, offset: 1.0 }.lowest_ring(), Some([1.0, -0.25]));
+    /// assert_eq!(Shape::ParabolicDimple { depth: 0.1, radius: 3.0 }.lowest_ring(), Some([3.0, -0.1]));
+    /// assert_eq!(Shape::Paraboloid { radius: 2.0 }.lowest_ring(), None);
+    /// ```
+    pub fn lowest_ring(&self) -> Option<[N; 2]>
+    where
+        N: Real,
+    {
+        match self {
+            Shape::DisplacedParaboloid { radius, offset } => {
+                Some([offset.clone(), -(offset.square() / radius.clone().times(2))])
+            }
+            Shape::ParabolicDimple { depth, radius } | Shape::EllipticalDimple { depth, radius } => {
+                Some([radius.clone(), -depth.clone()])
+            }
             _ => None,
         }
     }

@@ -24,8 +24,8 @@ use std::sync::{Arc, LazyLock};
 
 #[cfg(feature = "mp")]
 use mdr_core::contact::LowestRing;
-use mdr_core::contact::{Fold, Result, Transform};
-use mdr_core::number::Real;
+use mdr_core::contact::{Fold, Result, Shape, Transform};
+use mdr_core::number::{Literal, Real};
 
 use crate::contact::Contact;
 
@@ -58,6 +58,8 @@ pub struct Admissibility {
     terrain: Option<Arc<LazyTerrain>>,
     /// For a formula or a function, whose narrow dips the search may miss.
     touch: Option<FirstTouch>,
+    /// Of a shape that is not lowest at its tip.
+    lowest: Option<FirstTouch>,
     /// Why nothing is known.
     unknown: Option<&'static str>,
     /// Whether enclosures prove that g falls nowhere.
@@ -75,7 +77,7 @@ fn searched(transform: Arc<dyn Transform<f64>>, radii: [f64; 2]) -> Option<Arc<L
     Some(Arc::new(LazyLock::new(Box::new(move || Terrain::new(transform, radii)))))
 }
 
-/// Where the separated surfaces of a formula first touch, as far as enclosures of f decide it.
+/// Where separated surfaces first touch: of a formula as far as enclosures of f decide it.
 #[derive(Clone, Debug)]
 pub enum FirstTouch {
     /// At the tip: f ≥ 0.
@@ -83,6 +85,8 @@ pub enum FirstTouch {
     /// On a ring, where f < 0.
     #[cfg(feature = "mp")]
     Ring(Box<LowestRing>),
+    /// On the [ring](Shape::lowest_ring) on which this shape is lowest.
+    Rim(Box<Shape<Literal>>),
     /// Not decided.
     Open {
         /// The indentation, in m, at which they certainly do not touch yet; −∞ if there is none.
@@ -185,6 +189,7 @@ impl Admissibility {
         Admissibility {
             terrain: None,
             touch: None,
+            lowest: None,
             unknown: None,
             is_rising: false,
             #[cfg(feature = "mp")]
@@ -201,12 +206,24 @@ impl Admissibility {
     /// search in doubles tells whether it is at the tip, and an enclosed formula on which ring.
     #[must_use]
     pub fn touching_as(self, on_half_space: &Admissibility) -> Self {
-        let touch = match &on_half_space.touch {
+        let touch = match on_half_space.first_touch_by_form() {
             _ if on_half_space.touches_at_tip() => FirstTouch::Tip,
             Some(touch) => touch.clone(),
             None => FirstTouch::Open { at_least: f64::NEG_INFINITY, heights: HeightSource::Formula },
         };
         Admissibility { touch: Some(touch), ..self }
+    }
+
+    /// With the ring on which a shape is lowest, where that is not its tip.
+    #[must_use]
+    pub fn with_shape(self, shape: &Shape<Literal>) -> Self {
+        let is_low = shape.map(|_, length| length.nearest_f64()).lowest_ring().is_some();
+        Admissibility { lowest: is_low.then(|| FirstTouch::Rim(Box::new(shape.clone()))), ..self }
+    }
+
+    /// The first touch, where it is known without a search.
+    fn first_touch_by_form(&self) -> Option<&FirstTouch> {
+        self.touch.as_ref().or(self.lowest.as_ref())
     }
 
     /// Whether it is decided that the separated surfaces first touch at the tip.

@@ -30,7 +30,7 @@ impl Admissibility {
                 let [radius, _] = ring.at::<f64>(());
                 gaps.overlap(a, d, radius).map(|gap| GapVerdict::Interpenetrating { radius, gap })
             }
-            Some(FirstTouch::Tip | FirstTouch::Open { .. }) => None,
+            Some(FirstTouch::Tip | FirstTouch::Rim(_) | FirstTouch::Open { .. }) => None,
             None => Some(searched()).filter(|verdict| match verdict {
                 GapVerdict::Interpenetrating { radius, .. } => gaps.is_closed(a, d, *radius),
                 GapVerdict::Admissible | GapVerdict::Undecided(_) => false,

@@ -1,9 +1,9 @@
 //! The limit of admissibility in any arithmetic: an f64 search locates it, two conditions on the gap determine it.
 
-use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Stability};
+use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Shape, Stability};
 #[cfg(feature = "mp")]
 use mdr_core::number::{Interval, Precision};
-use mdr_core::number::{Real, order};
+use mdr_core::number::{Literal, Real, order};
 
 use super::extrema::Terrain;
 use super::{Admissibility, FirstTouch, HeightSource, gap};
@@ -55,8 +55,8 @@ const AT_KINK: f64 = 1e-6;
 /// surfaces first touch.
 pub fn first_touch<R: Real>(curve: &Contact<R>, admissibility: &Admissibility) -> Result<Option<Touch<R>>> {
     require_known(admissibility, curve.modulus())?;
-    if let Some(touch) = &admissibility.touch {
-        return of_formula(touch, curve.modulus());
+    if let Some(touch) = admissibility.first_touch_by_form() {
+        return by_form(touch, curve.modulus());
     }
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
     let Some([radius, _]) = first_touch_roughly(admissibility)? else { return Ok(None) };
@@ -76,8 +76,8 @@ fn require_known<R: Real>(admissibility: &Admissibility, like: &R) -> Result<()>
     Ok(())
 }
 
-/// The first contact of a formula, in the arithmetic of a number.
-fn of_formula<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>> {
+/// The first contact of a formula, or of a shape that is lowest on a ring, in the arithmetic of a number.
+fn by_form<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>> {
     match touch {
         FirstTouch::Tip => Ok(None),
         #[cfg(feature = "mp")]
@@ -85,6 +85,7 @@ fn of_formula<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>>
             let [radius, indentation] = ring.at::<R>(like.ctx());
             Ok(Some(Touch { radius, indentation }))
         }
+        FirstTouch::Rim(shape) => Ok(on_rim(shape, like.ctx())),
         FirstTouch::Open { heights, .. } => {
             let what = match heights {
                 HeightSource::Formula => {
@@ -97,14 +98,20 @@ fn of_formula<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>>
     }
 }
 
+/// The first contact on the ring on which a shape is lowest.
+fn on_rim<R: Real>(shape: &Shape<Literal>, ctx: R::Ctx) -> Option<Touch<R>> {
+    let [radius, indentation] = shape.map(|_, length| R::from_literal(ctx, length)).lowest_ring()?;
+    Some(Touch { radius, indentation })
+}
+
 /// The radius and the height at which f < 0 is smallest, in double precision; `None` if f ≥ 0.
 ///
 /// # Errors
 /// Errors of the transform; [`Error::Undecided`] if enclosures of a formula do not decide where the surfaces first touch.
 pub(crate) fn first_touch_roughly(admissibility: &Admissibility) -> Result<Option<[f64; 2]>> {
     require_known(admissibility, &0.0)?;
-    if let Some(touch) = &admissibility.touch {
-        return Ok(of_formula(touch, &0.0)?.map(|touch| [touch.radius, touch.indentation]));
+    if let Some(touch) = admissibility.first_touch_by_form() {
+        return Ok(by_form(touch, &0.0)?.map(|touch| [touch.radius, touch.indentation]));
     }
     let Some(terrain) = &admissibility.terrain else { return Ok(None) };
     let lowest = terrain.narrowest(0.0, 0.0, false)?;
@@ -184,12 +191,17 @@ pub(crate) fn lost_roughly<R: Real>(
     Ok(Some([upper, ring.0]))
 }
 
-/// The first contact of a formula on a ring, as an enclosure; `None` where it is not on one ring that is proved.
+/// The first contact on a ring, as an enclosure; `None` where it is not on one ring that is proved.
 #[cfg(feature = "mp")]
 pub(crate) fn proved_touch(admissibility: &Admissibility, precision: Precision) -> Option<Touch<Interval>> {
-    let Some(FirstTouch::Ring(ring)) = &admissibility.touch else { return None };
-    let [radius, indentation] = ring.enclosed(precision);
-    Some(Touch { radius, indentation })
+    match admissibility.first_touch_by_form()? {
+        FirstTouch::Ring(ring) => {
+            let [radius, indentation] = ring.enclosed(precision);
+            Some(Touch { radius, indentation })
+        }
+        FirstTouch::Rim(shape) => on_rim(shape, precision),
+        FirstTouch::Tip | FirstTouch::Open { .. } => None,
+    }
 }
 
 /// The narrowest gap near a radius, in two arithmetics.

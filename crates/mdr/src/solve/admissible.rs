@@ -55,7 +55,8 @@ pub(crate) fn on_medium(
 fn admissibility(profile: &Profile, transform: Arc<dyn Transform<f64>>, length: f64, folds: &[f64]) -> Admissibility {
     let range = search_range(length, folds);
     if !profile.has_formula() && !profile.has_function() {
-        return Admissibility::new(transform, range);
+        let known = Admissibility::new(transform, range);
+        return if let Profile::Shape(shape) = profile { known.with_shape(shape) } else { known };
     }
     let Known { rises, touch } = known(profile);
     if rises {

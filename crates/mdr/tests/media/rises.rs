@@ -109,13 +109,17 @@ fn a_start_that_is_not_found_is_not_denied() {
 }
 
 /// Of a profile that is lowest on a ring the surfaces first touch there, on every medium; a path to that depth ends, and what came before is
-/// known. Which depth that is enclosures of a formula tell.
+/// known. Enclosures of a formula tell the ring, and shapes have it by their form; of a sum of shapes nothing is known.
 #[test]
 fn a_path_ends_where_surfaces_come_to_touch_on_a_ring() {
     let way = "kind = \"indentation\"\npath = [\"0.1\", \"-0.5\", \"0.1\"]";
     let displaced = "kind = \"displaced-paraboloid\"\nradius = 1\noffset = \"0.04\"";
-    let ends =
-        [(formula("(r - 0.04)^2/2 - 0.0008"), "not-admissible", -8e-4), (displaced.to_owned(), "undecided", 0.1)];
+    let sum = format!("kind = \"sum\"\n[[profile.term]]\n{displaced}");
+    let ends = [
+        (formula("(r - 0.04)^2/2 - 0.0008"), "not-admissible", -8e-4),
+        (displaced.to_owned(), "not-admissible", -8e-4),
+        (sum, "undecided", 0.1),
+    ];
     for (profile, end, depth) in &ends {
         for (digits, promise) in [("digits = 12", Promise::Certified), ("arithmetic = \"f64\"", Promise::F64)] {
             let answer = solve(&scene(GRADED, profile, way, &format!("want = [\"path\"]\n{digits}")));
@@ -126,5 +130,25 @@ fn a_path_ends_where_surfaces_come_to_touch_on_a_ring() {
             assert!((last / depth - 1.0).abs() < 1e-12, "{last}");
             assert_eq!(answer.admissibility.map(|basis| matches!(basis, Basis::Unknown(_))), Some(true));
         }
+    }
+}
+
+/// Over a dimple the surfaces first touch on its rim, at its depth, which is certified without an integral.
+#[test]
+fn surfaces_first_touch_on_the_rim_of_a_dimple() {
+    let way = "kind = \"indentation\"\npath = [\"-1\", \"0.1\"]\nstart = \"detached\"";
+    for kind in ["parabolic-dimple", "elliptical-dimple"] {
+        let dimple = format!("kind = \"{kind}\"\ndepth = \"0.02\"\nradius = \"0.3\"");
+        let text = scene("kind = \"half-space\"", &dimple, way, "want = [\"path\"]\ndigits = 20");
+        let answer = solve(&text.replace("work_of", "e_star = 1\nwork_of"));
+        let events = &answer.path().expect("wanted").events;
+        let kinds: Vec<_> = events.items.iter().map(|event| event.event.name()).collect();
+        assert_eq!(
+            (events.promise, kinds.as_slice()),
+            (Promise::Certified, &["start", "not-admissible"][..]),
+            "{kind}"
+        );
+        let end = events.items[1].indentation.as_ref().map(ToString::to_string);
+        assert_eq!(end.as_deref(), Some("-0.020000000000000000000"), "{kind}");
     }
 }
