@@ -562,3 +562,15 @@ fn a_start_that_is_pinned_loses_nothing() {
         }
     }
 }
+
+/// A power 3/2 breaks at the depth 0 under a dead load, exactly, at either work of adhesion.
+#[test]
+fn a_power_of_three_halves_breaks_at_zero_depth() {
+    let power = "kind = \"power\"\nn = 1.5\nc = 1";
+    let load = "kind = \"force\"\npath = [\"1\", \"-1\"]";
+    let answer = scene(power, ["0.01", "0.04"], load, "want = [\"path\", \"folds\"]").unwrap().solve().unwrap();
+    let detached = event(answer.path().unwrap(), "detached");
+    assert_eq!(detached.indentation.as_ref().map(ToString::to_string).as_deref(), Some("0"));
+    let folds = &answer.folds().unwrap().items;
+    assert!(folds.len() == 2 && folds.iter().all(|fold| fold.indentation.to_string() == "0"), "{folds:?}");
+}

@@ -158,11 +158,11 @@ impl Scene {
         self.profile.has_formula() || self.is_by_integrals()
     }
 
-    /// Whether the fold at this contact radius under a dead load is at the depth 0, exactly: that of a power n = (3 + k)/2, such as a
-    /// paraboloid, or the parabolic cap of a cone, on a Winkler foundation.
+    /// Whether the fold at this contact radius under a dead load is at the depth 0, exactly: that of a power n = (3 + k)/2, 3/2 on a
+    /// half-space, such as a paraboloid, or the parabolic cap of a cone, on a Winkler foundation.
     #[cfg(feature = "mp")]
     pub(crate) fn breaks_at_zero_depth(&self, radius: &Interval) -> bool {
-        if self.medium.is_half_space() || !self.medium.has_depth() || self.control != Control::Force {
+        if !self.medium.has_depth() || self.control != Control::Force {
             return false;
         }
         // (3 + k)/2 is 2 less the threshold (1 − k)/2.

@@ -152,11 +152,6 @@ pub(super) fn path(
         let events = events::of_contact(&followed.contact, &followed.path, &*certified.admissibility()?);
         let mut events = events.convert(Enclosure::from);
         set_exact(&mut events, &followed.path, scene);
-        for (record, event) in events.iter_mut().zip(&followed.path.events) {
-            if breaks_at_zero_depth(scene, event) && scene.pressed_into().has_depth() {
-                record.indentation = Some(exactly(&0.into()));
-            }
-        }
         Ok(events)
     });
     let why = if folds.is_apart {
@@ -189,11 +184,14 @@ pub(crate) fn written<'w>(way: &'w [Literal], path: &Path<Interval>) -> Vec<Opti
     path.events.iter().map(of_event).collect()
 }
 
-/// Gives the events the exact value of the controlled quantity where the way points state it. Surfaces apart carry no load, whatever is
-/// applied.
+/// Gives the events the exact value of the controlled quantity where the way points state it, and the depth 0 where a contact breaks at it.
+/// Surfaces apart carry no load, whatever is applied.
 pub(super) fn set_exact(records: &mut [PathEvent<Enclosure>], path: &Path<Interval>, scene: &Scene) {
     let written = written(&scene.path, path);
     for ((record, event), literal) in records.iter_mut().zip(&path.events).zip(written) {
+        if breaks_at_zero_depth(scene, event) {
+            record.indentation = Some(exactly(&0.into()));
+        }
         let value = match scene.control {
             Control::Indentation => &mut record.indentation,
             Control::Force if event.before.contact().is_none() => continue,
