@@ -7,6 +7,9 @@ use mdr_core::number::{Interval, Real};
 use super::{Admissibility, FirstTouch, GapVerdict};
 use crate::proof::EnclosedGaps;
 
+/// A radius just inside of another.
+const INSIDE: f64 = 1.0 - 1e-6;
+
 impl Admissibility {
     /// For a transform whose g falls nowhere, which is proved by enclosures: every state is admissible on any medium.
     pub fn of_proved_rise() -> Self {
@@ -31,8 +34,11 @@ impl Admissibility {
                 gaps.overlap(a, d, radius).map(|gap| GapVerdict::Interpenetrating { radius, gap })
             }
             Some(FirstTouch::Tip | FirstTouch::Rim(_) | FirstTouch::Open { .. }) => None,
+            // The rim of a dimple is the end of the profile.
             None => Some(searched()).filter(|verdict| match verdict {
-                GapVerdict::Interpenetrating { radius, .. } => gaps.is_closed(a, d, *radius),
+                GapVerdict::Interpenetrating { radius, .. } => {
+                    [*radius, radius * INSIDE].into_iter().any(|radius| gaps.is_closed(a, d, radius))
+                }
                 GapVerdict::Admissible | GapVerdict::Undecided(_) => false,
             }),
         };

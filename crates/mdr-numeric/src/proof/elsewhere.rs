@@ -23,7 +23,8 @@ const RINGS: i64 = 30;
 const OF_RINGS: u64 = 2;
 /// The octaves beyond a contact in which an overlap is looked for where the gap is not known to be open far away.
 const NEAR: u32 = 4;
-/// The most heights of f, counted over intervals, that are spent on a contact, with those of g: about a second.
+/// The most heights of f, counted over intervals, that a look at a contact may take, with those of g: about a second. All looks together
+/// take 13/8 of it.
 pub(super) const HEIGHTS: u64 = 200_000;
 
 /// What is certain of the gap on some radii.

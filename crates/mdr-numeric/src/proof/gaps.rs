@@ -143,10 +143,10 @@ impl EnclosedGaps {
         })
     }
 
-    /// The heights of f that a state may take, which is the last that is proved of it.
+    /// The heights of f that a look at a state may take, which is the last that is proved of it.
     fn heights(&self) -> u64 {
         let left = |(budget, weight): &(Arc<Budget>, u64)| Some(budget.left_for_last_proof()? / (*weight).max(1));
-        self.budget.as_ref().and_then(left).map_or(HEIGHTS, |left| left.min(HEIGHTS))
+        self.budget.as_ref().and_then(left).map_or(HEIGHTS, |left| (left / 8 * 5).min(HEIGHTS))
     }
 
     /// Whether it is proved that no gap outside a contact of radius a at the indentation d is negative, up to the end of the
