@@ -131,6 +131,26 @@ impl Budget {
         self.left().map(|left| left.saturating_sub(self.reserve.load(Ordering::Relaxed) / 2))
     }
 
+    /// Leaves to what begins last its reserve, once, however much of it a single evaluation before has taken.
+    ///
+    /// ```
+    /// use mdr_core::contact::Budget;
+    /// let budget = Budget::default();
+    /// budget.allow(100);
+    /// budget.spend(130);
+    /// budget.open_reserve();
+    /// assert_eq!(budget.left(), Some(20));
+    /// budget.spend(20);
+    /// budget.open_reserve();
+    /// assert!(budget.is_spent());
+    /// ```
+    pub fn open_reserve(&self) {
+        let reserve = self.reserve.swap(0, Ordering::Relaxed);
+        if self.left().is_some_and(|left| left < reserve) {
+            self.limit.store(self.spent().saturating_add(reserve), Ordering::Relaxed);
+        }
+    }
+
     /// The work that is left, if there is a limit.
     pub fn left(&self) -> Option<u64> {
         let limit = self.limit.load(Ordering::Relaxed);

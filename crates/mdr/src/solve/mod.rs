@@ -226,14 +226,17 @@ enum Route<'s> {
 
 #[cfg(feature = "mp")]
 impl<'s> Route<'s> {
-    /// The search in f64 and SI units.
+    /// The search in f64 and SI units, after proofs with what is kept for it.
     ///
     /// # Errors
     /// A number that no double holds; errors of the search.
     fn search(&self) -> contact::Result<&Search<'s>> {
         match self {
             Route::Search(search) => Ok(search),
-            Route::Certified(certified) => certified.plain(),
+            Route::Certified(certified) => {
+                certified.counts[0].budget().open_reserve();
+                certified.plain()
+            }
         }
     }
 
