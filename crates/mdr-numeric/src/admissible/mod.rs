@@ -58,7 +58,7 @@ pub struct Admissibility {
     terrain: Option<Arc<LazyTerrain>>,
     /// For a formula or a function, whose narrow dips the search may miss.
     touch: Option<FirstTouch>,
-    /// Of a shape that is not lowest at its tip.
+    /// The first touch of a shape that is not lowest at its tip.
     lowest: Option<FirstTouch>,
     /// Why nothing is known.
     unknown: Option<&'static str>,
@@ -86,7 +86,7 @@ pub enum FirstTouch {
     #[cfg(feature = "mp")]
     Ring(Box<LowestRing>),
     /// On the [ring](Shape::lowest_ring) on which this shape is lowest.
-    Rim(Box<Shape<Literal>>),
+    OfShape(Box<Shape<Literal>>),
     /// Not decided.
     Open {
         /// The indentation, in m, at which they certainly do not touch yet; −∞ if there is none.
@@ -218,7 +218,7 @@ impl Admissibility {
     #[must_use]
     pub fn with_shape(self, shape: &Shape<Literal>) -> Self {
         let is_low = shape.map(|_, length| length.nearest_f64()).lowest_ring().is_some();
-        Admissibility { lowest: is_low.then(|| FirstTouch::Rim(Box::new(shape.clone()))), ..self }
+        Admissibility { lowest: is_low.then(|| FirstTouch::OfShape(Box::new(shape.clone()))), ..self }
     }
 
     /// The first touch, where it is known without a search.

@@ -33,7 +33,7 @@ impl Admissibility {
                 let [radius, _] = ring.at::<f64>(());
                 gaps.overlap(a, d, radius).map(|gap| GapVerdict::Interpenetrating { radius, gap })
             }
-            Some(FirstTouch::Tip | FirstTouch::Rim(_) | FirstTouch::Open { .. }) => None,
+            Some(FirstTouch::Tip | FirstTouch::OfShape(_) | FirstTouch::Open { .. }) => None,
             // The rim of a dimple is the end of the profile.
             None => Some(searched()).filter(|verdict| match verdict {
                 GapVerdict::Interpenetrating { radius, .. } => {

@@ -85,7 +85,7 @@ fn by_form<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>> {
             let [radius, indentation] = ring.at::<R>(like.ctx());
             Ok(Some(Touch { radius, indentation }))
         }
-        FirstTouch::Rim(shape) => Ok(on_rim(shape, like.ctx())),
+        FirstTouch::OfShape(shape) => Ok(on_ring_of(shape, like.ctx())),
         FirstTouch::Open { heights, .. } => {
             let what = match heights {
                 HeightSource::Formula => {
@@ -99,7 +99,7 @@ fn by_form<R: Real>(touch: &FirstTouch, like: &R) -> Result<Option<Touch<R>>> {
 }
 
 /// The first contact on the ring on which a shape is lowest.
-fn on_rim<R: Real>(shape: &Shape<Literal>, ctx: R::Ctx) -> Option<Touch<R>> {
+fn on_ring_of<R: Real>(shape: &Shape<Literal>, ctx: R::Ctx) -> Option<Touch<R>> {
     let [radius, indentation] = shape.map(|_, length| R::from_literal(ctx, length)).lowest_ring()?;
     Some(Touch { radius, indentation })
 }
@@ -199,7 +199,7 @@ pub(crate) fn proved_touch(admissibility: &Admissibility, precision: Precision) 
             let [radius, indentation] = ring.enclosed(precision);
             Some(Touch { radius, indentation })
         }
-        FirstTouch::Rim(shape) => on_rim(shape, precision),
+        FirstTouch::OfShape(shape) => on_ring_of(shape, precision),
         FirstTouch::Tip | FirstTouch::Open { .. } => None,
     }
 }

@@ -23,9 +23,10 @@ const RINGS: i64 = 30;
 const OF_RINGS: u64 = 2;
 /// The octaves beyond a contact in which an overlap is looked for where the gap is not known to be open far away.
 const NEAR: u32 = 4;
-/// The most heights of f, counted over intervals, that a look at a contact may take, with those of g: about a second. All looks together
-/// take 13/8 of it.
+/// The most heights of f, counted over intervals, that one look at a contact may take, with those of g: about a second.
 pub(super) const HEIGHTS: u64 = 200_000;
+/// A look may take so many parts of what all may take: with a short look and the rings before it, they are 13/8 of one.
+pub(super) const ONE_LOOK: [u64; 2] = [5, 8];
 
 /// What is certain of the gap on some radii.
 pub(super) enum Seen {

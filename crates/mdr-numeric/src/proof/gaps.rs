@@ -7,7 +7,7 @@ use mdr_core::number::Interval;
 use rug::Float;
 
 use super::continuation::Continuation;
-use super::elsewhere::{HEIGHTS, Seen};
+use super::elsewhere::{HEIGHTS, ONE_LOOK, Seen};
 use super::floor::Floor;
 use super::overlap::{Outside, Place};
 use super::staircase::{Bounded, Staircases, State, TERMS_OF_HEIGHT};
@@ -143,10 +143,11 @@ impl EnclosedGaps {
         })
     }
 
-    /// The heights of f that a look at a state may take, which is the last that is proved of it.
+    /// The most heights of f for one look at the gap of a state. The verdict on it is the last that is proved.
     fn heights(&self) -> u64 {
         let left = |(budget, weight): &(Arc<Budget>, u64)| Some(budget.left_for_last_proof()? / (*weight).max(1));
-        self.budget.as_ref().and_then(left).map_or(HEIGHTS, |left| (left / 8 * 5).min(HEIGHTS))
+        let [parts, of] = ONE_LOOK;
+        self.budget.as_ref().and_then(left).map_or(HEIGHTS, |left| (left / of * parts).min(HEIGHTS))
     }
 
     /// Whether it is proved that no gap outside a contact of radius a at the indentation d is negative, up to the end of the

@@ -2,7 +2,7 @@
 
 use mdr_core::contact::{Control, Edge, Error, Result};
 use mdr_numeric::equilibrium::SearchedBranches;
-use mdr_numeric::path::{Dissipation, EdgeEnergies, Edges, Path, Start};
+use mdr_numeric::path::{EdgeEnergies, Edges, Path, Start};
 
 use super::history::{Event, History, LoadingPath};
 use super::{ContactColumns, States};
@@ -107,9 +107,7 @@ impl EdgeColumns {
         control: &Control<f64>,
     ) -> Result<Vec<Event>> {
         let energies = EdgeEnergies::new(advancing, receding);
-        let jumps: Vec<Result<Dissipation<f64>>> =
-            energies.losses(path).into_iter().map(|loss| loss.map(|loss| loss.jump)).collect();
-        let mut events = self.receding.events(path, &jumps, control)?;
+        let mut events = self.receding.events(path, &energies.by_jumps(path), control)?;
         for (event, lost) in events.iter_mut().zip(energies.by_receding(path)) {
             event.hysteresis = match lost {
                 Err(Error::Stopped) => return Err(Error::Stopped),

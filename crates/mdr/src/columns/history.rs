@@ -170,7 +170,7 @@ impl ContactColumns {
         Ok(())
     }
 
-    /// Appends the states at so many values of a path, of which the first `known` ones are known already.
+    /// Appends the states at `count` values of a path, after the first `known` ones.
     pub(super) fn arrivals(
         &self,
         states: &mut States,

@@ -124,8 +124,8 @@ impl ContactColumns {
     pub fn new(scene: &Scene) -> crate::Result<Self> {
         scene.places.require_doubles("ask for certified digits")?;
         if scene.has_two_works() {
-            let why = "states in columns are those of one work of adhesion: give the one of the edge that is meant; histories \
-                       between two have EdgeColumns";
+            let why = "states in columns are those of one work of adhesion: give the one of the edge that is meant, or ask \
+                       EdgeColumns for a history between the two";
             return Err(scene.places.of("material.work_of_adhesion").refuse(why));
         }
         scene.check_profile_on_medium()?;

@@ -63,10 +63,16 @@ impl<'a, R: Special> EdgeEnergies<'a, R> {
     /// # Errors
     /// Errors of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this arithmetic.
     pub fn losses(&self, path: &Path<R>) -> Vec<Result<EdgeLoss<R>>> {
-        let of = |(event, hysteresis): (&Event<R>, Result<R>)| {
-            Ok(EdgeLoss { hysteresis: hysteresis?, jump: self.event(event)?.1 })
-        };
-        path.events.iter().zip(self.by_receding(path)).map(of).collect()
+        let of = |(hysteresis, jump): (Result<R>, Result<_>)| Ok(EdgeLoss { hysteresis: hysteresis?, jump: jump? });
+        self.by_receding(path).into_iter().zip(self.by_jumps(path)).map(of).collect()
+    }
+
+    /// What is lost in each event itself, as in [`EdgeLoss`]; it is known where what a receding edge loses is not.
+    ///
+    /// # Errors
+    /// Errors of the transform and of the quadrature; [`Error::OutOfRange`] if an energy is not representable in this arithmetic.
+    pub fn by_jumps(&self, path: &Path<R>) -> Vec<Result<Dissipation<R>>> {
+        path.events.iter().map(|event| Ok(self.event(event)?.1)).collect()
     }
 
     /// What a receding edge loses on the way to each event and in it, as in [`EdgeLoss`]; it is known where the energy of a jump is

@@ -16,7 +16,8 @@ use super::energies::{lost_in, returns, value, work_in};
 use super::{Balance, Dissipation, PathEvent, PathNumbers, changes, written};
 use crate::answer::Optional;
 
-/// The energy lost in each event and by a receding edge, as records without other numbers, and the balance of a path along way points. The contact is that of the advancing edge.
+/// The energy lost in each event and by a receding edge, as records without other numbers, and the balance of a path along way points.
+/// The contact is that of the advancing edge.
 ///
 /// # Errors
 /// Errors of the transform and of the integrals, see [`EnclosedEnergy::stored`]; [`Error::Undecided`] if it is not certain whether
