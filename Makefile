@@ -110,9 +110,9 @@ peers-states: python
 deps:
 	@sh scripts/deps.sh
 
-# The program, stripped, and the licences of what it links, in target/dist.
-dist: build
+# The program, compiled to be small, and the licences of what it links, in target/dist.
+dist: deps
+	cargo build --locked --profile small --package mdr-cli
 	mkdir -p target/dist
-	cp target/release/mdr target/dist/mdr
-	strip target/dist/mdr
+	cp $${CARGO_TARGET_DIR:-target}/small/mdr target/dist/mdr
 	cp LICENSE-MIT LICENSE-APACHE docs/dependencies.md target/dist/

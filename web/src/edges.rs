@@ -88,14 +88,13 @@ impl BothEdges {
         };
         let path = Path::follow_edges(&self.edges(), &start, &way, None)?;
         let energies = EdgeEnergies::new(&self.advancing, &self.receding);
-        let losses = energies.losses(&path).into_iter().zip(energies.by_receding(&path));
-        let row = |(event, (loss, receded)): (&Event<f64>, (Result<_>, Result<f64>))| {
-            let jump: Option<Dissipation<f64>> = loss.ok().map(|loss: mdr_numeric::path::EdgeLoss<f64>| loss.jump);
+        let losses = energies.by_jumps(&path).into_iter().zip(energies.by_receding(&path));
+        let row = |(event, (jump, receded)): (&Event<f64>, (Result<_>, Result<f64>))| {
             let lost = match jump {
                 _ if !super::engine::changes(event.kind) => 0.0,
-                Some(Dissipation::Finite(lost)) => lost.value,
-                Some(Dissipation::Unbounded) => f64::INFINITY,
-                None => f64::NAN,
+                Ok(Dissipation::Finite(lost)) => lost.value,
+                Ok(Dissipation::Unbounded) => f64::INFINITY,
+                Err(_) => f64::NAN,
             };
             let [[a, d, force], [to_a, to_d, to_force]] =
                 [&event.before, &event.after].map(|s| self.state(s, event.value));

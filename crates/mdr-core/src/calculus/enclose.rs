@@ -354,7 +354,10 @@ pub(super) fn half_diagonal<I: Ends>(value: &Rectangle<I>) -> Option<I> {
     bound.is_finite().then_some(bound)
 }
 
-/// Nodes for which the remainders are within tolerances, in steps of about √2, so that few rules are made.
+/// Up to so many nodes a rule costs little beside the values that it saves.
+const FEW_NODES: usize = 64;
+
+/// Nodes for which the remainders are within tolerances: of many in steps of about √2, so that few rules are made.
 fn nodes_for(bounds: &[Float], half: &Float, rho: f64, tolerances: &[Float]) -> usize {
     let bits = bounds.iter().zip(tolerances).map(|(bound, tolerance)| {
         let ratio = Float::with_val(BOUND_BITS, bound * half) / tolerance;
@@ -362,9 +365,12 @@ fn nodes_for(bounds: &[Float], half: &Float, rho: f64, tolerances: &[Float]) -> 
         let (mantissa, exponent) = ratio.to_f64_exp();
         if ratio.is_zero() { 0.0 } else { mantissa.log2() + f64::from(exponent) + 2.1 - (1.0 - rho.powi(-2)).log2() }
     });
-    let least = (bits.fold(0.0, f64::max) / (2.0 * rho.log2())).ceil().clamp(2.0, 1e9);
+    let least = (bits.fold(0.0, f64::max) / (2.0 * rho.log2())).ceil().clamp(4.0, 1e9);
     let even = |nodes: f64| nodes as usize & !1;
-    let mut nodes = 4.0;
+    if least <= FEW_NODES as f64 {
+        return even(least + 1.0);
+    }
+    let mut nodes = FEW_NODES as f64;
     while (even(nodes) as f64) < least {
         nodes *= std::f64::consts::SQRT_2 * 1.0001;
     }

@@ -23,7 +23,7 @@ const PIECES: usize = 400;
 /// Bits by which the aim of a rule is below the size of the integral.
 const SPARE: i32 = 6;
 /// Where the integrand is looked at for its size.
-const SAMPLES: [f64; 5] = [0.97, 0.71, 0.43, 0.23, 0.05];
+pub(super) const SAMPLES: [f64; 5] = [0.97, 0.71, 0.43, 0.23, 0.05];
 
 /// The energies of the states of a contact as enclosures: on a half-space, and where the mean of g² has a
 /// [closed form](mdr_core::contact::Transform::mean_square).
@@ -248,11 +248,21 @@ pub(super) fn all_over_unit_interval(f: &impl Sampled, bits: u32) -> Result<Vec<
     if sizes.is_empty() {
         sizes.push(Float::new(BOUND_BITS));
     }
-    let aim = Float::with_val(BOUND_BITS, Float::i_exp(1, SPARE - bits as i32));
+    let aim = relative_aim(bits);
     let tolerance = |size: Float| if size.is_zero() { aim.clone() } else { size * &aim };
-    let goal = Goal { bits, tolerances: sizes.into_iter().map(tolerance).collect(), pieces: PIECES };
+    aiming_at(f, bits, sizes.into_iter().map(tolerance).collect())
+}
+
+/// The integrals of several functions from 0 to 1, with rules whose errors aim at some tolerances.
+pub(super) fn aiming_at(f: &impl Sampled, bits: u32, tolerances: Vec<Float>) -> Result<Vec<Interval>> {
+    let goal = Goal { bits, tolerances, pieces: PIECES };
     let ends = [Float::new(BOUND_BITS), Float::with_val(BOUND_BITS, 1)];
     enclose(f, [&ends[0], &ends[1]], &goal)
+}
+
+/// The error of a rule to aim at, beside the size of an integral.
+pub(super) fn relative_aim(bits: u32) -> Float {
+    Float::with_val(BOUND_BITS, Float::i_exp(1, SPARE - bits as i32))
 }
 
 /// An integral that no number of bits makes easier.

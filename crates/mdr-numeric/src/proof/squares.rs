@@ -1,12 +1,13 @@
 //! The mean of g² over the springs as an enclosure: (1/a)∫₀ᵃ g² dx on a half-space, and by other weights on other media.
 
-use mdr_core::calculus::enclose::Sampled;
+use mdr_core::calculus::enclose::{BOUND_BITS, Sampled};
 use mdr_core::contact::{Error, Quantity, Result, Transform};
 use mdr_core::number::{Analytic, Interval, Real, Rectangle};
+use rug::Float;
 
 use super::continuation::Continuation;
-use super::energy::{located, over_unit_interval, unproved};
-use super::stretch::{Stretch, leg};
+use super::energy::{SAMPLES, aiming_at, located, over_unit_interval, relative_aim, unproved};
+use super::stretch::{Stretch, leg, up};
 use crate::contact::Contact;
 
 /// The integral of g², piece by piece between the kinks.
@@ -56,15 +57,16 @@ impl SquareIntegral<'_> {
             if !self.profile.reaches(to) {
                 return Err(unproved(to));
             }
+            let aim = self.aim(to, end - beyond);
             while beyond < *end {
                 let kink = self.profile.breaks()[beyond].rounded(to.ctx());
                 if !from.is_same(&kink) {
-                    total += &self.square_between(&from, &kink, beyond)?;
+                    total += &self.square_between([&from, &kink], beyond, aim.as_ref())?;
                 }
                 (from, beyond) = (kink, beyond + 1);
             }
             if !from.is_same(to) {
-                total += &self.square_between(&from, to, beyond)?;
+                total += &self.square_between([&from, to], beyond, aim.as_ref())?;
                 from = to.clone();
             }
             squares[index] = Some(total.clone() + self.rest(&radii[index], to)?);
@@ -92,20 +94,45 @@ impl SquareIntegral<'_> {
         Ok((a.clone() - place) * g.square())
     }
 
-    /// ∫ g² between two radii that have so many kinks before them, and none between them.
-    fn square_between(&self, from: &Interval, to: &Interval, beyond: usize) -> Result<Interval> {
+    /// The error to aim at on each stretch to a radius with so many kinks on the way: a share of the whole integral up to there, beside
+    /// which those from the axis are small. `None` for a single stretch, or where the size of the integral is not known.
+    fn aim(&self, to: &Interval, kinks: usize) -> Option<Float> {
+        if kinks == 0 {
+            return None;
+        }
+        let mut size = Float::new(BOUND_BITS);
+        for t in SAMPLES {
+            let g = self.profile.range(&(to.clone() * Interval::from_f64(to.ctx(), t)))?;
+            size += up((g.square() * to).upper());
+        }
+        size /= (SAMPLES.len() * (kinks + 1)) as u32;
+        let is_size = size.is_finite() && !size.is_zero();
+        is_size.then(|| size * relative_aim(to.precision()))
+    }
+
+    /// ∫ g² between two radii that have so many kinks before them, and none between them, with an error to aim at, or beside its own
+    /// size.
+    fn square_between(&self, [from, to]: [&Interval; 2], beyond: usize, aim: Option<&Float>) -> Result<Interval> {
         let base = beyond.checked_sub(1).map(|last| self.profile.breaks()[last].rounded(to.ctx()));
         let along = |x: &Interval| base.as_ref().map_or_else(|| x.clone(), |b| leg(x, b));
         if let (None, Some(k), true) = (&base, self.profile.root(), from.upper().is_zero()) {
             let square = RootedSquare { transform: self.contact.transform(), profile: self.profile, to, k };
-            return over_unit_interval(&square, to.precision()).map_err(|error| located(error, to));
+            return integral(&square, to, aim);
         }
         let start = along(from);
         let length = along(to) - &start;
         let stretch = Stretch { profile: self.profile, beyond, base, from: start, length };
-        let square = Square { transform: self.contact.transform(), stretch };
-        over_unit_interval(&square, to.precision()).map_err(|error| located(error, to))
+        integral(&Square { transform: self.contact.transform(), stretch }, to, aim)
     }
+}
+
+/// The integral from 0 to 1 that ends at a radius, with an error to aim at, or beside its own size.
+fn integral(square: &impl Sampled, to: &Interval, aim: Option<&Float>) -> Result<Interval> {
+    let found = match aim {
+        Some(aim) => aiming_at(square, to.precision(), vec![aim.clone()]).map(|mut all| all.swap_remove(0)),
+        None => over_unit_interval(square, to.precision()),
+    };
+    found.map_err(|error| located(error, to))
 }
 
 /// g² dx/dt.

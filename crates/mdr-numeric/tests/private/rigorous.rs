@@ -62,6 +62,32 @@ fn a_dropped_remainder_is_caught_at_few_bits() {
     }
 }
 
+/// ∫₀ᵃ g² over the stretches beside a kink: each aims at its share of the error of the whole.
+#[test]
+fn stretches_between_kinks_share_the_error() {
+    let formula: Expression = "r^4/4 + abs(r - 1/10)".parse().expect("a formula");
+    let none = Default::default();
+    let breaks = formula.breaks(&none).expect("a kink");
+    let squares = |bits: u32| {
+        let precision = Precision::new(bits);
+        let bound = || formula.enclosed(&none, &breaks, precision).expect("no names");
+        let transform = Arc::new(Enclosed::new(bound(), precision));
+        let profile = Continuation::new(vec![bound()]).expect("a continuation");
+        let one = Interval::from_int(precision, 1);
+        let material = Material::new(one.clone(), one.clone()).expect("positive");
+        let contact = Contact::half_space(&transform, &material, &Control::Indentation);
+        let radii = [one.ratio(2, 10), one.ratio(9, 10)];
+        EnclosedEnergy::new(&contact, &profile).expect("a half-space").squares(&radii).expect("integrals")
+    };
+    let truth = squares(90);
+    for bits in [24, 40, 60] {
+        for (found, truth) in squares(bits).iter().zip(&truth) {
+            assert!(found.overlaps(truth), "{bits} bits: {found} without {truth}");
+            assert!(found.accuracy_bits() + 14 > i64::from(bits), "{bits} bits: {found}");
+        }
+    }
+}
+
 /// ∫₀ᵃ g² of r^(1/4) + r^(5/4) at a = 0.9, whole and without remainders.
 #[test]
 fn a_dropped_remainder_is_caught_beside_a_fractional_power() {

@@ -7,7 +7,7 @@ use mdr_numeric::branch::EquilibriumBranches;
 use mdr_numeric::contact::Contact;
 use mdr_numeric::equilibrium::SearchedBranches;
 use mdr_numeric::fields::Fields;
-use mdr_numeric::path::{EdgeEnergies, EdgeLoss, Edges, Path};
+use mdr_numeric::path::{EdgeEnergies, Edges, Path};
 
 use super::events::{self, balance, dissipated, plus, unknown, work};
 use super::{Balance, PathEvent, PathNumbers};
@@ -125,8 +125,8 @@ pub(super) fn with_energy<R: SceneReal>(
     let energies = EdgeEnergies::new(advancing, receding);
     let mut jumps = Vec::with_capacity(path.events.len());
     let mut hysteresis = Vec::with_capacity(path.events.len());
-    for (event, loss) in path.events.iter().zip(energies.losses(path)) {
-        jumps.push(dissipated(event, loss.map(|EdgeLoss { jump, .. }| jump))?);
+    for (event, loss) in path.events.iter().zip(energies.by_jumps(path)) {
+        jumps.push(dissipated(event, loss)?);
     }
     for lost in energies.by_receding(path) {
         hysteresis.push(lost.map_or_else(unknown, |lost| Ok(Value::Known(of_area(lost))))?);
