@@ -118,6 +118,17 @@ pub struct Goal {
     pub pieces: usize,
 }
 
+/// The logarithm of 10²⁴⁰ to the base 2: functions of such sizes are bounded in doubles.
+const MODERATE: i32 = 800;
+
+impl Goal {
+    /// Whether all functions, whose sizes tolerances tell, are far from the ends of the range of doubles.
+    fn is_moderate(&self) -> bool {
+        let is_moderate = |exponent: i32| (exponent + self.bits as i32).abs() < MODERATE;
+        self.tolerances.iter().all(|tolerance| tolerance.get_exp().is_some_and(is_moderate))
+    }
+}
+
 /// The integrals of several functions from `lower` to `upper`. A singular end should be the lower one, at 0.
 ///
 /// ```
@@ -162,7 +173,7 @@ fn pieces(
         return Ok(vec![Interval::from_int(Precision::new(goal.bits), 0); goal.tolerances.len()]);
     }
     let mut sums = vec![Interval::from_int(Precision::new(goal.bits), 0); goal.tolerances.len()];
-    let mut count = 0;
+    let (mut count, is_moderate) = (0, f.is_moderate() && goal.is_moderate());
     while let Some(piece) = stack.pop() {
         count += 1;
         if count > goal.pieces {
@@ -173,10 +184,10 @@ fn pieces(
             goal.tolerances.iter().map(|tolerance| Float::with_val(BOUND_BITS, tolerance * &half) / &length).collect();
         let at_end = piece.lower == *lower;
         let most = goal.bits as usize / 2 + 8;
-        match best_rule(f, [&middle, &half], piece.ellipse, &share, most) {
+        match best_rule(f, is_moderate, [&middle, &half], piece.ellipse, (&share, most)) {
             Some(rule) if rule.nodes <= most => {
                 let ends = [&middle, &half];
-                let is_rough = goal.bits <= DOUBLE_BITS && f.is_moderate();
+                let is_rough = goal.bits <= DOUBLE_BITS && is_moderate;
                 let in_doubles = if is_rough { rule.sum_in_doubles(f, ends)? } else { None };
                 let precision = (Precision::new(goal.bits), goal.bits);
                 let values =
@@ -191,7 +202,7 @@ fn pieces(
             found => {
                 let tolerances: Vec<Float> = goal.tolerances.iter().map(|tolerance| tolerance.clone() / 8u32).collect();
                 if found.is_none()
-                    && let Some(values) = by_range(f, &piece, &tolerances)
+                    && let Some(values) = by_range(f, is_moderate, &piece, &tolerances)
                 {
                     sums.iter_mut()
                         .zip(values)
@@ -288,14 +299,14 @@ fn widened(sums: &[DoubleInterval], bits: u32) -> Vec<Interval> {
 /// are too many, also while it does no harm. No ellipse is larger than one on which a function is not analytic.
 fn best_rule(
     f: &impl Sampled,
+    is_moderate: bool,
     [middle, half]: [&Float; 2],
     from: usize,
-    tolerances: &[Float],
-    most: usize,
+    (tolerances, most): (&[Float], usize),
 ) -> Option<Rule> {
     let mut best: Option<Rule> = None;
     let mut consider = |ellipse: usize| {
-        let bounds = bounds(f, middle, half, ELLIPSES[ellipse])?;
+        let bounds = bounds(f, is_moderate, [middle, half], ELLIPSES[ellipse])?;
         let nodes = nodes_for(&bounds, half, ELLIPSES[ellipse], tolerances);
         // Rules come in steps: a larger ellipse may need as many nodes, and the next one fewer.
         let better = best.as_ref().is_none_or(|best| nodes < best.nodes || nodes == best.nodes && nodes > most);
@@ -321,16 +332,12 @@ fn best_rule(
 
 /// M of each function on an ellipse; `None` if one is not shown to be analytic. The upper half of the rectangle around it
 /// is enough, as f takes conjugate values at conjugate points.
-fn bounds(f: &impl Sampled, middle: &Float, half: &Float, rho: f64) -> Option<Vec<Float>> {
+fn bounds(f: &impl Sampled, is_moderate: bool, [middle, half]: [&Float; 2], rho: f64) -> Option<Vec<Float>> {
     fn diagonals<I: Ends>(images: &[Rectangle<I>]) -> Option<Vec<Float>> {
         images.iter().map(|image| Some(half_diagonal(image)?.most())).collect()
     }
     let ellipse = ellipse(middle, half, rho);
-    if f.is_moderate() {
-        diagonals(&f.image_in_doubles(&in_doubles(&ellipse))?)
-    } else {
-        diagonals(&f.image(&ellipse)?)
-    }
+    if is_moderate { diagonals(&f.image_in_doubles(&in_doubles(&ellipse))?) } else { diagonals(&f.image(&ellipse)?) }
 }
 
 /// The upper half of a rectangle around an ellipse.
@@ -391,7 +398,7 @@ fn error_of_rule(bound: &Float, half: &Float, ellipse: usize, nodes: usize) -> F
 }
 
 /// Length times range, where that is narrow enough for all functions.
-fn by_range(f: &impl Sampled, piece: &Piece, tolerances: &[Float]) -> Option<Vec<Interval>> {
+fn by_range(f: &impl Sampled, is_moderate: bool, piece: &Piece, tolerances: &[Float]) -> Option<Vec<Interval>> {
     let over = Interval::new(rounded!(Down, &piece.lower), rounded!(Up, &piece.upper));
     let length = rounded!(Down, &piece.upper - &piece.lower);
     let length = Interval::new(length, rounded!(Up, &piece.upper - &piece.lower));
@@ -403,7 +410,7 @@ fn by_range(f: &impl Sampled, piece: &Piece, tolerances: &[Float]) -> Option<Vec
         });
         areas.collect::<Option<Vec<_>>>()
     };
-    let in_doubles = if f.is_moderate() { f.range_in_doubles(&DoubleInterval::around(&over)) } else { None };
+    let in_doubles = if is_moderate { f.range_in_doubles(&DoubleInterval::around(&over)) } else { None };
     in_doubles.and_then(|ranges| areas(widened(&ranges, BOUND_BITS))).or_else(|| areas(f.range(&over)?))
 }
 

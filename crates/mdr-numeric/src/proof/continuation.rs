@@ -22,7 +22,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use mdr_core::calculus::enclose::BOUND_BITS;
 use mdr_core::contact::EnclosedFormula;
-use mdr_core::number::{Analytic, Euler, Interval, Precision, Real, Rectangle};
+use mdr_core::number::{Analytic, Ends, Euler, Interval, Precision, Real, Rectangle};
 
 use super::distant::Distant;
 use super::onsets::Onsets;
@@ -265,7 +265,7 @@ impl Continuation {
     }
 
     /// g over a complex set of radii; beyond kinks on a half-space only.
-    pub(super) fn g(&self, x: &Rectangle, legs: &Legs) -> Option<Rectangle> {
+    pub(super) fn g<I: Ends>(&self, x: &Rectangle<I>, legs: &Legs<I>) -> Option<Rectangle<I>> {
         if !legs.legs.is_empty() && !self.is_on_half_space() {
             return None;
         }
@@ -290,7 +290,7 @@ impl Continuation {
     }
 
     /// ∫ sinφ r⁻² DΔ dφ, and ∫ sin³φ r⁻⁴ (D² − 2D)Δ dφ, its derivative in x over x. At the base Δ is f.
-    fn beyond(&self, kink: usize, leg: &Rectangle, base: Option<usize>) -> Option<[Rectangle; 2]> {
+    fn beyond<I: Ends>(&self, kink: usize, leg: &Rectangle<I>, base: Option<usize>) -> Option<[Rectangle<I>; 2]> {
         let square = leg.constant(&self.breaks[kink]).squared();
         let at = |[_, share]: &[Interval; 2]| {
             let r_squared = leg.squared().scaled(share).plus(&square);
@@ -300,13 +300,13 @@ impl Continuation {
             let rise = second.minus(&first.plus(&first));
             Some([first.quotient(&r_squared)?, rise.quotient(&r_squared.squared())?.scaled(share)])
         };
-        let both: Vec<[Rectangle; 2]> = self.cells.iter().map(at).collect::<Option<_>>()?;
+        let both: Vec<[Rectangle<I>; 2]> = self.cells.iter().map(at).collect::<Option<_>>()?;
         let of = |k: usize| mean(both.iter().map(|pair| Some(pair[k].clone())));
         Some([of(0)?, of(1)?])
     }
 
     /// x g' of part 0: ∫ sinθ (D + D²)f₀ dθ.
-    pub(super) fn first_rise(&self, x: &Rectangle) -> Option<Rectangle> {
+    pub(super) fn first_rise<I: Ends>(&self, x: &Rectangle<I>) -> Option<Rectangle<I>> {
         mean(self.cells.iter().map(|[sine, _]| {
             let f = self.heights_along(x, sine, 2)?;
             Some(f.derivative(1).plus(&f.derivative(2)))
@@ -314,7 +314,7 @@ impl Continuation {
     }
 
     /// dg/dx, or with `by_leg` dg/dσ of the last kink, which is bounded next to it.
-    pub(super) fn slope(&self, x: &Rectangle, legs: &Legs, by_leg: bool) -> Option<Rectangle> {
+    pub(super) fn slope<I: Ends>(&self, x: &Rectangle<I>, legs: &Legs<I>, by_leg: bool) -> Option<Rectangle<I>> {
         let mut slope = match (&self.distant, legs.base) {
             (Some(distant), Some(base)) => distant.slope(x, base)?,
             _ => self.first_rise(x)?.quotient(x)?,
@@ -334,7 +334,12 @@ impl Continuation {
     }
 
     /// σ of the kinks before x that have a term, the last of them given.
-    pub(super) fn legs(&self, x: &Rectangle, beyond: usize, last: Option<&Rectangle>) -> Option<Legs> {
+    pub(super) fn legs<I: Ends>(
+        &self,
+        x: &Rectangle<I>,
+        beyond: usize,
+        last: Option<&Rectangle<I>>,
+    ) -> Option<Legs<I>> {
         let base = beyond.checked_sub(NEAR).filter(|_| self.distant.is_some());
         let first = base.unwrap_or(0);
         let square = x.squared();
@@ -385,17 +390,17 @@ fn sum<T: Analytic>(mut values: impl Iterator<Item = Option<T>>) -> Option<T> {
 }
 
 /// σ = √(x² − b²) of kinks b before x.
-pub(super) struct Legs {
+pub(super) struct Legs<I = Interval> {
     /// The kink up to which radii are distant.
     base: Option<usize>,
     /// The first kink with a leg.
     first: usize,
-    legs: Vec<Rectangle>,
+    legs: Vec<Rectangle<I>>,
 }
 
-impl Legs {
+impl<I> Legs<I> {
     /// The kinks, with their legs.
-    fn all(&self) -> impl Iterator<Item = (usize, &Rectangle)> {
+    fn all(&self) -> impl Iterator<Item = (usize, &Rectangle<I>)> {
         (self.first..).zip(&self.legs)
     }
 }

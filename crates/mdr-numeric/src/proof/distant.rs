@@ -5,8 +5,7 @@
 //! the kernel over the radii.
 
 use mdr_core::calculus::enclose::BOUND_BITS;
-use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle};
-use rug::Float;
+use mdr_core::number::{Analytic, Ends, Interval, Precision, Real, Rectangle};
 
 /// A tree of segments between neighbouring kinks.
 pub(super) struct Distant {
@@ -42,13 +41,13 @@ impl Distant {
     }
 
     /// The share of g of the radii up to a kink.
-    pub(super) fn g(&self, x: &Rectangle, kink: usize) -> Option<Rectangle> {
+    pub(super) fn g<I: Ends>(&self, x: &Rectangle<I>, kink: usize) -> Option<Rectangle<I>> {
         let squared = x.squared();
         self.root.share(x, kink, &|r| x.quotient(&difference(&squared, r).sqrt()?))
     }
 
     /// The share of g' of the radii up to a kink.
-    pub(super) fn slope(&self, x: &Rectangle, kink: usize) -> Option<Rectangle> {
+    pub(super) fn slope<I: Ends>(&self, x: &Rectangle<I>, kink: usize) -> Option<Rectangle<I>> {
         let squared = x.squared();
         let kernel = |r: &Interval| {
             let apart = difference(&squared, r);
@@ -58,7 +57,7 @@ impl Distant {
     }
 }
 
-fn difference(squared: &Rectangle, r: &Interval) -> Rectangle {
+fn difference<I: Ends>(squared: &Rectangle<I>, r: &Interval) -> Rectangle<I> {
     squared.minus(&squared.constant(&r.square()))
 }
 
@@ -81,13 +80,19 @@ fn joined(mut segments: Vec<Segment>) -> Option<Segment> {
 
 impl Segment {
     /// Whether its radii are at least as far from x as they are apart.
-    fn is_far_from(&self, x: &Rectangle) -> bool {
-        let [from, to] = [self.radii.lower(), self.radii.upper()];
-        Float::with_val(BOUND_BITS, to - from) + to <= *x.re().lower()
+    fn is_far_from<I: Ends>(&self, x: &Rectangle<I>) -> bool {
+        let [from, to] = self.radii.ends();
+        let beyond = x.re().clone() - I::around(x.re().ctx(), &(to.times(2) - from));
+        beyond.signs()[0].is_ge()
     }
 
     /// The share of the radii up to a kink.
-    fn share(&self, x: &Rectangle, kink: usize, kernel: &impl Fn(&Interval) -> Option<Rectangle>) -> Option<Rectangle> {
+    fn share<I: Ends>(
+        &self,
+        x: &Rectangle<I>,
+        kink: usize,
+        kernel: &impl Fn(&Interval) -> Option<Rectangle<I>>,
+    ) -> Option<Rectangle<I>> {
         match &self.halves {
             Some(halves) if self.after > kink || !self.is_far_from(x) => {
                 let lower = halves[0].share(x, kink, kernel)?;

@@ -14,14 +14,14 @@
 
 use mdr_core::calculus::enclose::{Integrand, Sampled};
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Transform};
-use mdr_core::number::{Analytic, Interval, Precision, Real, Rectangle, Special};
-use rug::Float;
+use mdr_core::number::{Analytic, DoubleInterval, Ends, Interval, Precision, Real, Rectangle, Special};
 
 use super::continuation::Continuation;
 use super::energy::{all_over_unit_interval, located, over_unit_interval, unproved};
 use super::kinks::at_edge;
 use super::stretch::{Stretch, leg};
 use crate::contact::Contact;
+use crate::transform::is_moderate;
 
 /// The radius, over that of the contact, up to which g' is looked at for a tip where the pressure is infinite.
 const NEAR_TIP: i64 = 1 << 20;
@@ -272,6 +272,10 @@ pub(super) struct Kernel<'a> {
 }
 
 impl Integrand for Kernel<'_> {
+    fn is_moderate(&self) -> bool {
+        is_moderate(self.a) && is_moderate(self.c)
+    }
+
     fn at<T: Analytic>(&self, t: &T) -> Option<Vec<T>> {
         let (sine, cosine) = t.scaled(&self.width).plus(&t.constant(&self.from)).sin_cos();
         let height = self.profile.heights(&sine.scaled(self.a), 0, self.beyond)?;
@@ -312,21 +316,29 @@ impl Load<'_> {
         Some(vec![slope.quotient(&distance)?.scaled(&self.stretch.length)])
     }
 
-    /// Around the axis g'/x = h/x² is analytic, and nowhere larger than on the boundary.
-    fn around_axis(&self, x: &Rectangle) -> Option<Vec<Rectangle>> {
-        let rise = self.stretch.profile.first_rise(x)?;
-        let size = |z: &Rectangle| Real::sqrt(&(z.re().abs().square() + z.im().abs().square()));
-        let ends = [x.re().lower(), x.re().upper(), x.im().upper()];
-        let mut nearest = Interval::point(ends[0].clone()).abs();
-        for end in &ends[1..] {
-            nearest = nearest.lesser(&Interval::point((*end).clone()).abs());
+    /// Over a complex set.
+    fn over<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
+        let place = self.stretch.at(t)?;
+        if self.is_flat && self.stretch.base.is_none() && place[1].re().has_zero() {
+            return self.around_axis(&place[1]);
         }
-        let bound = (size(&rise) / nearest.square()).abs() * self.stretch.length.abs();
+        let profile = self.stretch.profile;
+        let legs = profile.legs(&place[1], self.stretch.beyond, self.rest.as_ref().map(|_| &place[0]))?;
+        self.of(&profile.slope(&place[1], &legs, self.rest.is_some())?, &place)
+    }
+
+    /// Around the axis g'/x = h/x² is analytic, and nowhere larger than on the boundary.
+    fn around_axis<I: Ends>(&self, x: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
+        let rise = self.stretch.profile.first_rise(x)?;
+        let size = |z: &Rectangle<I>| Real::sqrt(&(z.re().abs().square() + z.im().abs().square()));
+        let ([left, right], [_, top]) = (x.re().ends(), x.im().ends());
+        let nearest = left.abs().lesser(&right.abs()).lesser(&top.abs());
+        let length = I::around(x.re().ctx(), &self.stretch.length);
+        let bound = (size(&rise) / nearest.square()).abs() * length.abs();
         if !Real::is_finite(&bound) {
             return None;
         }
-        let zero = Float::new(bound.lower().prec());
-        let all = Interval::point(zero).inflate(&bound);
+        let all = bound.lit(0).inflate(&bound);
         Some(vec![Rectangle::new(all.clone(), all)])
     }
 }
@@ -340,13 +352,15 @@ impl Sampled for Load<'_> {
     }
 
     fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        let place = self.stretch.at(t)?;
-        if self.is_flat && self.stretch.base.is_none() && place[1].re().contains_zero() {
-            return self.around_axis(&place[1]);
-        }
-        let profile = self.stretch.profile;
-        let legs = profile.legs(&place[1], self.stretch.beyond, self.rest.as_ref().map(|_| &place[0]))?;
-        self.of(&profile.slope(&place[1], &legs, self.rest.is_some())?, &place)
+        self.over(t)
+    }
+
+    fn is_moderate(&self) -> bool {
+        self.stretch.is_moderate() && self.rest.as_ref().is_none_or(is_moderate)
+    }
+
+    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
+        self.over(t)
     }
 
     fn range(&self, _: &Interval) -> Option<Vec<Interval>> {

@@ -9,7 +9,7 @@
 use std::collections::BTreeMap;
 
 use mdr_core::contact::{EnclosedFormula, Onset};
-use mdr_core::number::{Analytic, Gamma, Interval, Real, Rectangle};
+use mdr_core::number::{Analytic, Ends, Gamma, Interval, Real, Rectangle};
 
 use super::continuation::Continuation;
 use crate::transform::onset::{integrand, order, power};
@@ -100,7 +100,7 @@ impl Begun {
     }
 
     /// The term of g at x with σ.
-    pub(super) fn g(&self, x: &Rectangle, leg: &Rectangle) -> Option<Rectangle> {
+    pub(super) fn g<I: Ends>(&self, x: &Rectangle<I>, leg: &Rectangle<I>) -> Option<Rectangle<I>> {
         let sum = x.plus(&x.constant(self.onset.begin()));
         let y = leg.squared().quotient(&sum)?;
         let a = order(&self.onset, x.bits());

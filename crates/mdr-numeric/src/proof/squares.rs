@@ -1,15 +1,15 @@
 //! The mean of g² over the springs as an enclosure: (1/a)∫₀ᵃ g² dx on a half-space, and by other weights on other media.
 
-use mdr_core::calculus::enclose::{BOUND_BITS, Sampled};
+use mdr_core::calculus::enclose::Sampled;
 use mdr_core::contact::{Error, Quantity, Result, Transform};
-use mdr_core::number::{Analytic, Interval, Real, Rectangle};
+use mdr_core::number::{Analytic, DoubleInterval, Ends, Interval, Real, Rectangle};
 use rug::Float;
 
 use super::continuation::Continuation;
 use super::energy::{SAMPLES, aiming_at, located, over_unit_interval, relative_aim, unproved};
 use super::stretch::{Stretch, leg, up};
 use crate::contact::Contact;
-
+use crate::transform::is_moderate;
 /// The integral of g², piece by piece between the kinks.
 pub(super) struct SquareIntegral<'a> {
     pub(super) contact: &'a Contact<Interval>,
@@ -57,7 +57,7 @@ impl SquareIntegral<'_> {
             if !self.profile.reaches(to) {
                 return Err(unproved(to));
             }
-            let aim = self.aim(to, end - beyond);
+            let aim = self.aim([&from, to], end - beyond, &total);
             while beyond < *end {
                 let kink = self.profile.breaks()[beyond].rounded(to.ctx());
                 if !from.is_same(&kink) {
@@ -94,20 +94,17 @@ impl SquareIntegral<'_> {
         Ok((a.clone() - place) * g.square())
     }
 
-    /// The error to aim at on each stretch to a radius with so many kinks on the way: a share of the whole integral up to there, beside
-    /// which those from the axis are small. `None` for a single stretch, or where the size of the integral is not known.
-    fn aim(&self, to: &Interval, kinks: usize) -> Option<Float> {
-        if kinks == 0 {
-            return None;
-        }
-        let mut size = Float::new(BOUND_BITS);
+    /// The error to aim at on each stretch between two radii with so many kinks between them: a share of the whole integral, with its total
+    /// up to the first, so that stretches from the axis need not be known beyond what they add. `None` where its size is not known.
+    fn aim(&self, [from, to]: [&Interval; 2], kinks: usize, total: &Interval) -> Option<Float> {
+        let length = to.clone() - from;
+        let mut size = up(total.upper());
         for t in SAMPLES {
-            let g = self.profile.range(&(to.clone() * Interval::from_f64(to.ctx(), t)))?;
-            size += up((g.square() * to).upper());
+            let g = self.profile.range(&(length.clone() * Interval::from_f64(to.ctx(), t) + from))?;
+            size += up((g.square() * &length).upper()) / SAMPLES.len() as u32;
         }
-        size /= (SAMPLES.len() * (kinks + 1)) as u32;
         let is_size = size.is_finite() && !size.is_zero();
-        is_size.then(|| size * relative_aim(to.precision()))
+        is_size.then(|| size / (kinks + 1) as u32 * relative_aim(to.precision()))
     }
 
     /// ∫ g² between two radii that have so many kinks before them, and none between them, with an error to aim at, or beside its own
@@ -146,6 +143,14 @@ impl Square<'_> {
         let square = g.squared().scaled(&self.stretch.length);
         Some(vec![if self.stretch.base.is_some() { square.product(v).quotient(x)? } else { square }])
     }
+
+    /// Over a complex set.
+    fn over<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
+        let place = self.stretch.at(t)?;
+        let Stretch { profile, beyond, base, .. } = &self.stretch;
+        let legs = profile.legs(&place[1], *beyond, base.as_ref().map(|_| &place[0]))?;
+        self.of(&profile.g(&place[1], &legs)?, &place)
+    }
 }
 
 impl Sampled for Square<'_> {
@@ -155,10 +160,15 @@ impl Sampled for Square<'_> {
     }
 
     fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        let place = self.stretch.at(t)?;
-        let Stretch { profile, beyond, base, .. } = &self.stretch;
-        let legs = profile.legs(&place[1], *beyond, base.as_ref().map(|_| &place[0]))?;
-        self.of(&profile.g(&place[1], &legs)?, &place)
+        self.over(t)
+    }
+
+    fn is_moderate(&self) -> bool {
+        self.stretch.is_moderate()
+    }
+
+    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
+        self.over(t)
     }
 
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
@@ -200,6 +210,14 @@ impl Sampled for RootedSquare<'_> {
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
         self.by_formula(t)
     }
+
+    fn is_moderate(&self) -> bool {
+        is_moderate(self.to)
+    }
+
+    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
+        self.by_formula(t)
+    }
 }
 
 /// The mean of g² over springs whose stiffness up to x is as x^q: ∫₀¹ g(a y^(1/q))² dy, and where q is 2 also 2∫₀¹ t g(at)² dt, which is analytic at
@@ -225,6 +243,12 @@ impl SpringMean<'_> {
         let square = g.squared();
         vec![if self.root.is_some() { square } else { square.product(&t.plus(t)) }]
     }
+
+    /// Over a complex set.
+    fn over<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
+        let x = self.place(t)?;
+        Some(self.of(&self.profile.g(&x, &self.profile.legs(&x, 0, None)?)?, t))
+    }
 }
 
 impl Sampled for SpringMean<'_> {
@@ -234,8 +258,15 @@ impl Sampled for SpringMean<'_> {
     }
 
     fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        let x = self.place(t)?;
-        Some(self.of(&self.profile.g(&x, &self.profile.legs(&x, 0, None)?)?, t))
+        self.over(t)
+    }
+
+    fn is_moderate(&self) -> bool {
+        is_moderate(self.a)
+    }
+
+    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
+        self.over(t)
     }
 
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {

@@ -6,6 +6,7 @@ use rug::Float;
 use rug::float::Round;
 
 use super::continuation::Continuation;
+use crate::transform::is_moderate;
 
 /// What the radii of a piece of an integral have in common: they lie beyond so many kinks, and are x = v or, beyond a kink b,
 /// x² = b² + v², with v from one number to another as t goes from 0 to 1.
@@ -27,6 +28,11 @@ impl Stretch<'_> {
             Some(base) => v.squared().plus(&v.constant(base).squared()).sqrt()?,
         };
         Some([v, x])
+    }
+
+    /// Whether powers of all radii are in the range of doubles.
+    pub(super) fn is_moderate(&self) -> bool {
+        is_moderate(&self.length) && self.base.as_ref().is_none_or(is_moderate)
     }
 
     /// v and x over an interval of t, on which v does not fall below 0.

@@ -28,9 +28,9 @@ mod weight;
 mod weighted;
 
 #[cfg(feature = "mp")]
-pub(crate) use enclosed::onset;
-#[cfg(feature = "mp")]
 pub use enclosed::{Enclosed, EnclosedWithSlopes};
+#[cfg(feature = "mp")]
+pub(crate) use enclosed::{is_moderate, onset};
 pub use line::LineLoad;
 #[cfg(feature = "mp")]
 pub use lost::lost_below;

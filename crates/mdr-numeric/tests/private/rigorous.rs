@@ -19,16 +19,26 @@ impl<F: Sampled> Sampled for Dropped<F> {
     }
 
     fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        let points = self.0.image(t)?.into_iter().map(|image| {
-            let zero = image.im().lit(0);
-            Rectangle::new(image.re().midpoint(), zero)
-        });
-        Some(points.collect())
+        Some(points(self.0.image(t)?))
+    }
+
+    fn is_moderate(&self) -> bool {
+        self.0.is_moderate()
+    }
+
+    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
+        Some(points(self.0.image_in_doubles(t)?))
     }
 
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
         self.0.range(t)
     }
+}
+
+/// The middles of the real parts of images.
+fn points<I: Ends>(images: Vec<Rectangle<I>>) -> Vec<Rectangle<I>> {
+    let point = |image: Rectangle<I>| Rectangle::new(image.re().midpoint(), image.im().lit(0));
+    images.into_iter().map(point).collect()
 }
 
 /// ∫₀ᵃ g² at a = 0.3 over some waves, whole and without remainders.

@@ -31,6 +31,7 @@ use super::weight::Weight;
 use crate::recent::Recent;
 use cut::Cuts;
 use ray::Ray;
+pub(crate) use ray::is_moderate;
 pub use slopes::EnclosedWithSlopes;
 use span::{Gap, Span, gaps};
 use store::Store;

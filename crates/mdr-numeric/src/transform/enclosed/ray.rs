@@ -179,7 +179,7 @@ impl Ray<'_> {
 const MODERATE: i32 = 250;
 
 /// Whether powers of a radius are in the range of doubles.
-pub(super) fn is_moderate(x: &Interval) -> bool {
+pub(crate) fn is_moderate(x: &Interval) -> bool {
     let exponents = [x.lower(), x.upper()].map(Float::get_exp);
     exponents.iter().all(|exponent| exponent.is_some_and(|exponent| exponent.abs() < MODERATE))
 }
