@@ -1,4 +1,4 @@
-//! The transform of a measured profile: time of an evaluation and of the set-up against the number of rows, and its
+//! The transforms of a measured profile: time of an evaluation and of the set-up against the number of rows, and its
 //! error: the interpolant of a sphere against the sphere, and doubles against 60 digits.
 
 use std::hint::black_box;
@@ -52,6 +52,12 @@ fn transform(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("g", rows), |b| b.iter(|| profile.g(black_box(&X))));
         group.bench_function(BenchmarkId::new("g'", rows), |b| b.iter(|| profile.slope(black_box(&X))));
         group.bench_function(BenchmarkId::new("G", rows), |b| b.iter(|| profile.integral(black_box(&X))));
+        let graded = profile.clone().graded(0.3).expect("on a graded half-space");
+        group.bench_function(BenchmarkId::new("g' on a graded half-space", rows), |b| {
+            b.iter(|| graded.slope(black_box(&X)))
+        });
+        let line = profile.clone().line(None).expect("in line contact");
+        group.bench_function(BenchmarkId::new("N' in line contact", rows), |b| b.iter(|| line.slope(black_box(&X))));
         group.bench_function(BenchmarkId::new("set-up", rows), |b| b.iter(|| MeasuredProfile::new(points.clone())));
     }
     group.finish();

@@ -64,7 +64,7 @@ fn a_dropped_remainder_is_caught() {
 
 #[test]
 fn a_spent_number_of_pieces_is_an_error() {
-    let goal = Goal { bits: 64, tolerances: vec![Float::with_val(BOUND_BITS, 1e-18); 2], pieces: 3 };
+    let goal = Goal { bits: 64, tolerances: vec![Float::with_val(BOUND_BITS, 1e-22); 2], pieces: 2 };
     let ends = [Float::with_val(BOUND_BITS, -1), Float::with_val(BOUND_BITS, 1)];
     let found = enclose(&Runge { in_doubles: false }, [&ends[0], &ends[1]], &goal);
     assert!(matches!(found, Err(Error::Undecided { quantity: Quantity::Integral, bits: 64, .. })), "{found:?}");

@@ -62,12 +62,16 @@ impl<R: Real> Piece<R> {
         Piece { start: start.clone(), width: width.clone(), height: height.clone(), slope, bend }
     }
 
-    /// f(r), by Horner.
+    /// f(r).
     fn height<S: Lift<R>>(&self, r: &S) -> S {
+        self.height_at(&((r.clone() - S::lift(&self.start)) / S::lift(&self.width)))
+    }
+
+    /// f at s, by Horner.
+    pub(super) fn height_at<S: Lift<R>>(&self, s: &S) -> S {
         let Quadratic([c0, c1, c2]) = &self.slope;
         let lift = S::lift;
-        let s = (r.clone() - lift(&self.start)) / lift(&self.width);
-        let mean_slope = ((lift(c2).over(3) * &s + lift(c1).over(2)) * &s) + lift(c0);
+        let mean_slope = ((lift(c2).over(3) * s + lift(c1).over(2)) * s) + lift(c0);
         mean_slope * s * lift(&self.width) + lift(&self.height)
     }
 }

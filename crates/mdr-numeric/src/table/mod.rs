@@ -1,7 +1,8 @@
 //! Measured profiles: a table (r, f) of an AFM tip or a profilometer trace, and its exact transform.
 //!
 //! [`Table`] contains the measured rows as exact decimals. [`MeasuredProfile`] is the shape-preserving cubic through
-//! them in some arithmetic. Its MDR transform is exact: each cubic piece has closed moments, and nothing is sampled.
+//! them in some arithmetic. Its MDR transform is exact: each cubic piece has closed moments, and nothing is sampled. Those on other media are
+//! sums of rules that are exact to rounding ([`MeasuredOnMedium`]).
 //! The choices:
 //!
 //! * **The tip.** f(0) = 0 defines the height, so (0, 0) is a point of every profile, measured or not. A profile is
@@ -29,6 +30,7 @@ mod arc;
 mod error;
 mod far;
 mod hermite;
+mod medium;
 pub mod periodic;
 mod read;
 mod rough;
@@ -38,6 +40,7 @@ mod tip;
 mod transform;
 
 pub use error::{TableColumn, TableError};
+pub use medium::MeasuredOnMedium;
 pub use read::{Line, separated};
 pub use rough::Scatter;
 

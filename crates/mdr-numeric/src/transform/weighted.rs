@@ -103,7 +103,9 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         Self::new(profile, Weight::Line(reference), &like)
     }
 
-    fn check(&self, x: &R) -> Result<()> {
+    /// # Errors
+    /// A radius at which there is no transform.
+    pub(crate) fn check(&self, x: &R) -> Result<()> {
         if !(*x > x.lit(0) && x.is_finite()) {
             return Err(Error::domain(Quantity::Radius, x, "positive and finite"));
         }

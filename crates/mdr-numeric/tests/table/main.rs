@@ -10,6 +10,8 @@ mod enclosed;
 #[cfg(feature = "mp")]
 mod exactness;
 mod noise;
+#[cfg(feature = "mp")]
+mod on_media;
 mod read;
 mod sample;
 mod shape;

@@ -9,6 +9,7 @@ use mdr_core::number::{Literal, Special};
 use mdr_numeric::medium;
 use mdr_numeric::path::EventKind;
 use mdr_numeric::profiles::Heights;
+use mdr_numeric::table::MeasuredProfile;
 #[cfg(feature = "mp")]
 use mdr_numeric::transform::Enclosed;
 use mdr_numeric::transform::{LineLoad, Periodic, Powers, Wave, Weighted};
@@ -330,6 +331,14 @@ impl<R: ProfileReal> OfMedium<R> {
             })
         })
     }
+
+    fn of_rows(&self, rows: MeasuredProfile<R>, ctx: R::Ctx) -> Result<Box<dyn Transform<R>>> {
+        match self {
+            OfMedium::Graded(k) => by_quadrature(rows, |rows| rows.graded(k.clone())),
+            OfMedium::Line(reference) => by_quadrature(rows, |rows| rows.line(reference.clone())),
+            OfMedium::Winkler => self.of(rows, ctx),
+        }
+    }
 }
 
 /// The transform by quadrature, or as `formulas` has it.
@@ -355,7 +364,7 @@ fn quadrature<R: ProfileReal>(
             R::sum(terms)
         }
         Profile::Formula(formula) => weight.of(formula.bound::<R>(ctx, number)?, ctx)?,
-        Profile::Table(measured) => weight.of(measured.table.profile::<R>(ctx)?, ctx)?,
+        Profile::Table(measured) => weight.of_rows(measured.table.profile::<R>(ctx)?, ctx)?,
         Profile::Function(function) => weight.of(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, ctx)?,
         Profile::Wave(_) => return Err(not_available("this medium")),
     })
