@@ -10,6 +10,7 @@ use super::energy::{SAMPLES, aiming_at, located, over_unit_interval, relative_ai
 use super::stretch::{Stretch, leg, up};
 use crate::contact::Contact;
 use crate::transform::is_moderate;
+
 /// The integral of g², piece by piece between the kinks.
 pub(super) struct SquareIntegral<'a> {
     pub(super) contact: &'a Contact<Interval>,

@@ -103,8 +103,10 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         Self::new(profile, Weight::Line(reference), &like)
     }
 
+    /// Refuses radii at which there is no transform.
+    ///
     /// # Errors
-    /// A radius at which there is no transform.
+    /// [`Error::Domain`] there; [`Error::NoConvergence`] beyond the radii up to which kinks are known.
     pub(crate) fn check(&self, x: &R) -> Result<()> {
         if !(*x > x.lit(0) && x.is_finite()) {
             return Err(Error::domain(Quantity::Radius, x, "positive and finite"));
