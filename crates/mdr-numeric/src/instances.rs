@@ -35,8 +35,7 @@ static OF_ROWS: fn(&MeasuredProfile<f64>) -> Result<[Doubles; 3]> = |rows| by_qu
 static ROWS: fn(MeasuredProfile<f64>) -> Doubles = |rows| Box::new(rows);
 
 #[used]
-static ROWS_ON_MEDIA: fn(&MeasuredProfile<f64>) -> Result<[Doubles; 2]> =
-    |rows| Ok([Box::new(rows.clone().graded(0.5)?), Box::new(rows.clone().line(None)?)]);
+static ROWS_ON_MEDIA: fn(MeasuredProfile<f64>) -> Result<Doubles> = |rows| Ok(Box::new(rows.winkler()?));
 
 #[used]
 static WAVE: fn(Wave<f64>) -> Doubles = |wave| Box::new(wave);

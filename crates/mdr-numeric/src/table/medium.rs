@@ -1,7 +1,7 @@
-//! The transforms of the interpolant on graded half-spaces and in line contact, piece by piece.
+//! The transforms of the interpolant on graded half-spaces, Winkler foundations and in line contact, piece by piece.
 //!
 //! With y = 1 − (r/x)², and α = (k − 1)/2 on a half-space graded as zᵏ, J\[φ\] = ∫₀ˣ φ(r) (r/x) y^α dr/x; in line contact the integrals
-//! are ∫₀ˣ φ(r) y^(−1/2) dr/x. Each φ is a polynomial between two rows, whose integral over the piece is a sum over one Gauss rule:
+//! are ∫₀ˣ φ(r) y^(−1/2) dr/x. On a Winkler foundation g = f, and its mean that of a graded half-space with k = 1. Each φ is a polynomial between two rows, whose integral over the piece is a sum over one Gauss rule:
 //!
 //! * over r, where x is at least a third of the width of the piece beyond its end;
 //! * over y with the weight y^α, from r to x, where r is at least x/2 and φ is continued beyond its piece: the integral over a piece
@@ -43,7 +43,7 @@ enum Density {
     Slope,
 }
 
-/// A measured profile on a half-space graded as zᵏ, or the N of a [`LineLoad`](crate::transform::LineLoad), with an error of some roundings:
+/// A measured profile on a half-space graded as zᵏ or a Winkler foundation, or the N of a [`LineLoad`](crate::transform::LineLoad), with an error of some roundings:
 /// its cost for each radius grows with the logarithm of the rows in f64.
 ///
 /// ```
@@ -84,6 +84,15 @@ impl<R: Special> MeasuredProfile<R> {
         let alpha = (k.clone() - k.lit(1)).over(2);
         let order = k.lit(1) + &k;
         MeasuredOnMedium::new(self.pieces.clone(), Some(order), None, alpha, Weighted::graded(self, k))
+    }
+
+    /// On a Winkler foundation.
+    ///
+    /// # Errors
+    /// [`Error::NoConvergence`] where a rule cannot be computed, which is not met.
+    pub fn winkler(self) -> Result<MeasuredOnMedium<R>> {
+        let (alpha, like) = (self.end.lit(0), self.end.lit(1));
+        MeasuredOnMedium::new(self.pieces.clone(), Some(like.lit(2)), None, alpha, Weighted::winkler(self, like))
     }
 
     /// In line contact, as the N of a [`LineLoad`](crate::transform::LineLoad), with its mean against a reference at this distance.
@@ -148,6 +157,10 @@ impl<R: Special> MeasuredOnMedium<R> {
         Err(Error::OutOfRange { quantity: Quantity::TransformedProfile, log10 })
     }
 
+    fn is_winkler(&self) -> bool {
+        self.alpha == self.alpha.lit(0)
+    }
+
     fn count(&self, nodes: usize) {
         self.nodes.fetch_add(nodes as u64, Ordering::Relaxed);
     }
@@ -181,11 +194,12 @@ impl<R: Special> Kernel<'_, R> {
     /// The kernel at 1 − r/x.
     fn at(&self, distance: R) -> R {
         let y = (distance.lit(2) - &distance) * &distance;
-        let power = match &self.medium.order {
-            Some(_) => y.pow(&self.medium.alpha) * (distance.lit(1) - &distance),
-            None => y.sqrt().inv(),
-        };
-        power / self.room(&y)
+        let share = || distance.lit(1) - &distance;
+        match &self.medium.order {
+            Some(_) if self.medium.is_winkler() => share(),
+            Some(_) => y.pow(&self.medium.alpha) * share(),
+            None => (y.sqrt() * self.room(&y)).inv(),
+        }
     }
 
     /// 1 − (r/L)² of the mean against a reference, else 1.
@@ -258,10 +272,16 @@ impl<R: Special> Kernel<'_, R> {
 /// Exact up to rounding.
 impl<R: Special> Transform<R> for MeasuredOnMedium<R> {
     fn g(&self, x: &R) -> Result<R> {
+        if self.is_winkler() {
+            return self.any.g(x);
+        }
         self.integral(Density::Transform, x)
     }
 
     fn slope(&self, x: &R) -> Result<R> {
+        if self.is_winkler() {
+            return self.any.slope(x);
+        }
         Ok(self.integral(Density::Slope, x)? / x)
     }
 

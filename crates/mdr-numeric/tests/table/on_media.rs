@@ -79,6 +79,14 @@ fn graded_half_spaces_meet_the_quadrature_of_any_profile() {
     }
 }
 
+#[test]
+fn winkler_foundations_meet_the_quadrature_of_any_profile() {
+    for points in [4, 10, 33].map(tables).as_flattened() {
+        let fast = rows(points, |x| x).winkler().unwrap();
+        compare(points, 1.0, &fast, &Weighted::winkler(rows(points, number), number(1.0)), number);
+    }
+}
+
 /// Against a reference that is far, next to the rows, and among them, where its pole is near.
 #[test]
 fn line_contacts_meet_the_quadrature_of_any_profile() {

@@ -332,12 +332,12 @@ impl<R: ProfileReal> OfMedium<R> {
         })
     }
 
-    fn of_rows(&self, rows: MeasuredProfile<R>, ctx: R::Ctx) -> Result<Box<dyn Transform<R>>> {
-        match self {
-            OfMedium::Graded(k) => by_quadrature(rows, |rows| rows.graded(k.clone())),
-            OfMedium::Line(reference) => by_quadrature(rows, |rows| rows.line(reference.clone())),
-            OfMedium::Winkler => self.of(rows, ctx),
-        }
+    fn of_rows(&self, rows: MeasuredProfile<R>) -> Result<Box<dyn Transform<R>>> {
+        by_quadrature(rows, |rows| match self {
+            OfMedium::Graded(k) => rows.graded(k.clone()),
+            OfMedium::Winkler => rows.winkler(),
+            OfMedium::Line(reference) => rows.line(reference.clone()),
+        })
     }
 }
 
@@ -364,7 +364,7 @@ fn quadrature<R: ProfileReal>(
             R::sum(terms)
         }
         Profile::Formula(formula) => weight.of(formula.bound::<R>(ctx, number)?, ctx)?,
-        Profile::Table(measured) => weight.of_rows(measured.table.profile::<R>(ctx)?, ctx)?,
+        Profile::Table(measured) => weight.of_rows(measured.table.profile::<R>(ctx)?)?,
         Profile::Function(function) => weight.of(function.in_arithmetic::<R>(ctx).ok_or_else(not_in_f64)?, ctx)?,
         Profile::Wave(_) => return Err(not_available("this medium")),
     })
