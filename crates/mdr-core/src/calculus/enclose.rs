@@ -79,6 +79,12 @@ pub trait Sampled {
     fn is_moderate(&self) -> bool {
         false
     }
+
+    /// Whether a value costs so much that a rule takes no more of them than it needs. Else their number comes in steps, so that few rules are
+    /// made, and an integral is mostly better than it has to be, which searches repay.
+    fn is_dear(&self) -> bool {
+        false
+    }
 }
 
 impl<F: Integrand> Sampled for F {
@@ -117,6 +123,11 @@ pub struct Goal {
     /// The most pieces.
     pub pieces: usize,
 }
+
+/// The fewest nodes of a rule.
+const FEWEST: usize = 4;
+/// Up to so many nodes a rule costs little beside [dear](Sampled::is_dear) values.
+const FEW: usize = 64;
 
 /// The logarithm of 10²⁴⁰ to the base 2: functions of such sizes are bounded in doubles.
 const MODERATE: i32 = 800;
@@ -183,9 +194,13 @@ fn pieces(
         let share: Vec<Float> =
             goal.tolerances.iter().map(|tolerance| Float::with_val(BOUND_BITS, tolerance * &half) / &length).collect();
         let at_end = piece.lower == *lower;
-        let most = goal.bits as usize / 2 + 8;
-        match best_rule(f, is_moderate, [&middle, &half], piece.ellipse, (&share, most)) {
-            Some(rule) if rule.nodes <= most => {
+        let aim = Aim {
+            tolerances: &share,
+            most: goal.bits as usize / 2 + 8,
+            exact_to: if f.is_dear() { FEW } else { FEWEST },
+        };
+        match best_rule(f, is_moderate, [&middle, &half], piece.ellipse, &aim) {
+            Some(rule) if rule.nodes <= aim.most => {
                 let ends = [&middle, &half];
                 let is_rough = goal.bits <= DOUBLE_BITS && is_moderate;
                 let in_doubles = if is_rough { rule.sum_in_doubles(f, ends)? } else { None };
@@ -295,21 +310,21 @@ fn widened(sums: &[DoubleInterval], bits: u32) -> Vec<Interval> {
     sums.iter().map(|sum| sum.widened(Precision::new(bits))).collect()
 }
 
-/// The rule with the fewest nodes: from one ellipse to larger ones while that helps, else to smaller ones; where more than `most`
+/// The rule with the fewest nodes: from one ellipse to larger ones while that helps, else to smaller ones; where more than the most
 /// are too many, also while it does no harm. No ellipse is larger than one on which a function is not analytic.
 fn best_rule(
     f: &impl Sampled,
     is_moderate: bool,
     [middle, half]: [&Float; 2],
     from: usize,
-    (tolerances, most): (&[Float], usize),
+    aim: &Aim<'_>,
 ) -> Option<Rule> {
     let mut best: Option<Rule> = None;
     let mut consider = |ellipse: usize| {
         let bounds = bounds(f, is_moderate, [middle, half], ELLIPSES[ellipse])?;
-        let nodes = nodes_for(&bounds, half, ELLIPSES[ellipse], tolerances);
+        let nodes = aim.nodes(&bounds, half, ELLIPSES[ellipse]);
         // Rules come in steps: a larger ellipse may need as many nodes, and the next one fewer.
-        let better = best.as_ref().is_none_or(|best| nodes < best.nodes || nodes == best.nodes && nodes > most);
+        let better = best.as_ref().is_none_or(|best| nodes < best.nodes || nodes == best.nodes && nodes > aim.most);
         if better {
             best = Some(Rule { nodes, ellipse, bounds });
         }
@@ -361,27 +376,37 @@ pub(super) fn half_diagonal<I: Ends>(value: &Rectangle<I>) -> Option<I> {
     bound.is_finite().then_some(bound)
 }
 
-/// Up to so many nodes a rule costs little beside the values that it saves.
-const FEW_NODES: usize = 64;
+/// What is asked of a rule.
+struct Aim<'a> {
+    /// For each function.
+    tolerances: &'a [Float],
+    /// The most nodes.
+    most: usize,
+    /// Up to how many nodes a rule has no more than it needs.
+    exact_to: usize,
+}
 
-/// Nodes for which the remainders are within tolerances: of many in steps of about √2, so that few rules are made.
-fn nodes_for(bounds: &[Float], half: &Float, rho: f64, tolerances: &[Float]) -> usize {
-    let bits = bounds.iter().zip(tolerances).map(|(bound, tolerance)| {
-        let ratio = Float::with_val(BOUND_BITS, bound * half) / tolerance;
-        // log₂ 64/15 < 2.1
-        let (mantissa, exponent) = ratio.to_f64_exp();
-        if ratio.is_zero() { 0.0 } else { mantissa.log2() + f64::from(exponent) + 2.1 - (1.0 - rho.powi(-2)).log2() }
-    });
-    let least = (bits.fold(0.0, f64::max) / (2.0 * rho.log2())).ceil().clamp(4.0, 1e9);
-    let even = |nodes: f64| nodes as usize & !1;
-    if least <= FEW_NODES as f64 {
-        return even(least + 1.0);
+impl Aim<'_> {
+    /// Nodes for which the remainders are within tolerances, beyond some in steps of about √2.
+    fn nodes(&self, bounds: &[Float], half: &Float, rho: f64) -> usize {
+        let bits = bounds.iter().zip(self.tolerances).map(|(bound, tolerance)| {
+            let ratio = Float::with_val(BOUND_BITS, bound * half) / tolerance;
+            // log₂ 64/15 < 2.1
+            let (mantissa, exponent) = ratio.to_f64_exp();
+            let beyond = 2.1 - (1.0 - rho.powi(-2)).log2();
+            if ratio.is_zero() { 0.0 } else { mantissa.log2() + f64::from(exponent) + beyond }
+        });
+        let least = (bits.fold(0.0, f64::max) / (2.0 * rho.log2())).ceil().clamp(FEWEST as f64, 1e9);
+        let even = |nodes: f64| nodes as usize & !1;
+        if least <= self.exact_to as f64 {
+            return even(least + 1.0);
+        }
+        let mut nodes = self.exact_to as f64;
+        while (even(nodes) as f64) < least {
+            nodes *= std::f64::consts::SQRT_2 * 1.0001;
+        }
+        even(nodes)
     }
-    let mut nodes = FEW_NODES as f64;
-    while (even(nodes) as f64) < least {
-        nodes *= std::f64::consts::SQRT_2 * 1.0001;
-    }
-    even(nodes)
 }
 
 /// (64/15) M h/((1 − ρ⁻²)ρ^(2N)), rounded up.

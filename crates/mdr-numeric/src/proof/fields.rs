@@ -359,6 +359,10 @@ impl Sampled for Load<'_> {
         self.stretch.is_moderate() && self.rest.as_ref().is_none_or(is_moderate)
     }
 
+    fn is_dear(&self) -> bool {
+        true
+    }
+
     fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
         self.over(t)
     }

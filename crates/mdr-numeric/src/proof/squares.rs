@@ -168,6 +168,10 @@ impl Sampled for Square<'_> {
         self.stretch.is_moderate()
     }
 
+    fn is_dear(&self) -> bool {
+        true
+    }
+
     fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
         self.over(t)
     }
@@ -214,6 +218,10 @@ impl Sampled for RootedSquare<'_> {
 
     fn is_moderate(&self) -> bool {
         is_moderate(self.to)
+    }
+
+    fn is_dear(&self) -> bool {
+        true
     }
 
     fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
@@ -264,6 +272,10 @@ impl Sampled for SpringMean<'_> {
 
     fn is_moderate(&self) -> bool {
         is_moderate(self.a)
+    }
+
+    fn is_dear(&self) -> bool {
+        true
     }
 
     fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {

@@ -26,6 +26,10 @@ impl<F: Sampled> Sampled for Dropped<F> {
         self.0.is_moderate()
     }
 
+    fn is_dear(&self) -> bool {
+        self.0.is_dear()
+    }
+
     fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
         Some(points(self.0.image_in_doubles(t)?))
     }
