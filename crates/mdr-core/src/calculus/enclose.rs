@@ -59,8 +59,9 @@ pub trait Sampled {
     /// Errors of the computation of the values.
     fn values(&self, t: &Interval) -> Result<Option<Vec<Interval>>>;
 
-    /// Enclosures over a complex set, on which all functions are shown to be analytic; `None` otherwise.
-    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>>;
+    /// Enclosures over a complex set, on which all functions are shown to be analytic; `None` otherwise. In doubles of what
+    /// [is moderate](Sampled::is_moderate) alone.
+    fn image<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>>;
 
     /// Enclosures over a real interval; `None` where one is not defined.
     fn range(&self, t: &Interval) -> Option<Vec<Interval>>;
@@ -70,20 +71,15 @@ pub trait Sampled {
         None
     }
 
-    /// The [image](Sampled::image) in doubles, of what [is moderate](Sampled::is_moderate).
-    fn image_in_doubles(&self, _t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
-        None
-    }
-
     /// See [`Integrand::is_moderate`].
     fn is_moderate(&self) -> bool {
         false
     }
 
-    /// Whether a value costs so much that a rule takes no more of them than it needs. Else their number comes in steps, so that few rules are
-    /// made, and an integral is mostly better than it has to be, which searches repay.
+    /// Whether a value costs so much that a rule takes no more of them than it needs, as where it comes from another formula. Else their
+    /// number comes in steps, so that few rules are made, and an integral is mostly better than it has to be, which searches repay.
     fn is_dear(&self) -> bool {
-        false
+        true
     }
 }
 
@@ -92,7 +88,7 @@ impl<F: Integrand> Sampled for F {
         Ok(self.at(t))
     }
 
-    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
+    fn image<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
         self.at(t)
     }
 
@@ -104,12 +100,12 @@ impl<F: Integrand> Sampled for F {
         self.at(t)
     }
 
-    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
-        self.at(t)
-    }
-
     fn is_moderate(&self) -> bool {
         Integrand::is_moderate(self)
+    }
+
+    fn is_dear(&self) -> bool {
+        false
     }
 }
 
@@ -352,7 +348,7 @@ fn bounds(f: &impl Sampled, is_moderate: bool, [middle, half]: [&Float; 2], rho:
         images.iter().map(|image| Some(half_diagonal(image)?.most())).collect()
     }
     let ellipse = ellipse(middle, half, rho);
-    if is_moderate { diagonals(&f.image_in_doubles(&in_doubles(&ellipse))?) } else { diagonals(&f.image(&ellipse)?) }
+    if is_moderate { diagonals(&f.image(&in_doubles(&ellipse))?) } else { diagonals(&f.image(&ellipse)?) }
 }
 
 /// The upper half of a rectangle around an ellipse.

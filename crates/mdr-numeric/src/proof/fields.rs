@@ -14,7 +14,7 @@
 
 use mdr_core::calculus::enclose::{Integrand, Sampled};
 use mdr_core::contact::{Equilibrium, Error, Quantity, Result, Transform};
-use mdr_core::number::{Analytic, DoubleInterval, Ends, Interval, Precision, Real, Rectangle, Special};
+use mdr_core::number::{Analytic, Ends, Interval, Precision, Real, Rectangle, Special};
 
 use super::continuation::Continuation;
 use super::energy::{all_over_unit_interval, located, over_unit_interval, unproved};
@@ -316,17 +316,6 @@ impl Load<'_> {
         Some(vec![slope.quotient(&distance)?.scaled(&self.stretch.length)])
     }
 
-    /// Over a complex set.
-    fn over<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
-        let place = self.stretch.at(t)?;
-        if self.is_flat && self.stretch.base.is_none() && place[1].re().has_zero() {
-            return self.around_axis(&place[1]);
-        }
-        let profile = self.stretch.profile;
-        let legs = profile.legs(&place[1], self.stretch.beyond, self.rest.as_ref().map(|_| &place[0]))?;
-        self.of(&profile.slope(&place[1], &legs, self.rest.is_some())?, &place)
-    }
-
     /// Around the axis g'/x = h/x² is analytic, and nowhere larger than on the boundary.
     fn around_axis<I: Ends>(&self, x: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
         let rise = self.stretch.profile.first_rise(x)?;
@@ -351,20 +340,18 @@ impl Sampled for Load<'_> {
         Ok(self.of(&slope, &place))
     }
 
-    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        self.over(t)
+    fn image<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
+        let place = self.stretch.at(t)?;
+        if self.is_flat && self.stretch.base.is_none() && place[1].re().has_zero() {
+            return self.around_axis(&place[1]);
+        }
+        let profile = self.stretch.profile;
+        let legs = profile.legs(&place[1], self.stretch.beyond, self.rest.as_ref().map(|_| &place[0]))?;
+        self.of(&profile.slope(&place[1], &legs, self.rest.is_some())?, &place)
     }
 
     fn is_moderate(&self) -> bool {
         self.stretch.is_moderate() && self.rest.as_ref().is_none_or(is_moderate)
-    }
-
-    fn is_dear(&self) -> bool {
-        true
-    }
-
-    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
-        self.over(t)
     }
 
     fn range(&self, _: &Interval) -> Option<Vec<Interval>> {

@@ -2,7 +2,7 @@
 
 use mdr_core::calculus::enclose::Sampled;
 use mdr_core::contact::{Error, Quantity, Result, Transform};
-use mdr_core::number::{Analytic, DoubleInterval, Ends, Interval, Real, Rectangle};
+use mdr_core::number::{Analytic, Ends, Interval, Real, Rectangle};
 use rug::Float;
 
 use super::continuation::Continuation;
@@ -144,14 +144,6 @@ impl Square<'_> {
         let square = g.squared().scaled(&self.stretch.length);
         Some(vec![if self.stretch.base.is_some() { square.product(v).quotient(x)? } else { square }])
     }
-
-    /// Over a complex set.
-    fn over<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
-        let place = self.stretch.at(t)?;
-        let Stretch { profile, beyond, base, .. } = &self.stretch;
-        let legs = profile.legs(&place[1], *beyond, base.as_ref().map(|_| &place[0]))?;
-        self.of(&profile.g(&place[1], &legs)?, &place)
-    }
 }
 
 impl Sampled for Square<'_> {
@@ -160,20 +152,15 @@ impl Sampled for Square<'_> {
         Ok(self.of(&self.transform.g(&place[1])?, &place))
     }
 
-    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        self.over(t)
+    fn image<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
+        let place = self.stretch.at(t)?;
+        let Stretch { profile, beyond, base, .. } = &self.stretch;
+        let legs = profile.legs(&place[1], *beyond, base.as_ref().map(|_| &place[0]))?;
+        self.of(&profile.g(&place[1], &legs)?, &place)
     }
 
     fn is_moderate(&self) -> bool {
         self.stretch.is_moderate()
-    }
-
-    fn is_dear(&self) -> bool {
-        true
-    }
-
-    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
-        self.over(t)
     }
 
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
@@ -208,7 +195,7 @@ impl Sampled for RootedSquare<'_> {
         Ok(self.of(&self.transform.g(&(t.powi(i64::from(self.k)) * self.to))?, t))
     }
 
-    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
+    fn image<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
         self.by_formula(t)
     }
 
@@ -218,14 +205,6 @@ impl Sampled for RootedSquare<'_> {
 
     fn is_moderate(&self) -> bool {
         is_moderate(self.to)
-    }
-
-    fn is_dear(&self) -> bool {
-        true
-    }
-
-    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
-        self.by_formula(t)
     }
 }
 
@@ -252,12 +231,6 @@ impl SpringMean<'_> {
         let square = g.squared();
         vec![if self.root.is_some() { square } else { square.product(&t.plus(t)) }]
     }
-
-    /// Over a complex set.
-    fn over<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
-        let x = self.place(t)?;
-        Some(self.of(&self.profile.g(&x, &self.profile.legs(&x, 0, None)?)?, t))
-    }
 }
 
 impl Sampled for SpringMean<'_> {
@@ -266,20 +239,13 @@ impl Sampled for SpringMean<'_> {
         Ok(Some(self.of(&self.transform.g(&x)?, t)))
     }
 
-    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        self.over(t)
+    fn image<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
+        let x = self.place(t)?;
+        Some(self.of(&self.profile.g(&x, &self.profile.legs(&x, 0, None)?)?, t))
     }
 
     fn is_moderate(&self) -> bool {
         is_moderate(self.a)
-    }
-
-    fn is_dear(&self) -> bool {
-        true
-    }
-
-    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
-        self.over(t)
     }
 
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {

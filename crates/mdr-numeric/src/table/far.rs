@@ -3,7 +3,8 @@
 //! At a distance of at least its own width, a cluster of pieces acts like m point charges at Chebyshev nodes: the
 //! kernels 1/√(x²−r²) and √(x²−r²) are analytic there, and their interpolants converge like (3+√8)^−m, to rounding. The
 //! charges are ∫ ρ(r) ℓⱼ(r) dr for the density ρ, computed exactly for each piece and passed up a binary tree; so g(x)
-//! costs O(log rows). On other media the kernels are other powers of x² − r². This is the fast multipole method (Greengard & Rokhlin 1987) in one dimension.
+//! costs O(log rows). On other media the kernels are other powers of x² − r². This is the fast multipole method
+//! (Greengard & Rokhlin 1987) in one dimension.
 
 use std::array::from_fn;
 use std::sync::Arc;

@@ -1,7 +1,8 @@
 //! The transforms of the interpolant on graded half-spaces, Winkler foundations and in line contact, piece by piece.
 //!
 //! With y = 1 − (r/x)², and α = (k − 1)/2 on a half-space graded as zᵏ, J\[φ\] = ∫₀ˣ φ(r) (r/x) y^α dr/x; in line contact the integrals
-//! are ∫₀ˣ φ(r) y^(−1/2) dr/x. On a Winkler foundation g = f, and its mean that of a graded half-space with k = 1. Each φ is a polynomial between two rows, whose integral over the piece is a sum over one Gauss rule:
+//! are ∫₀ˣ φ(r) y^(−1/2) dr/x. On a Winkler foundation g = f, and its mean is that of a graded half-space with k = 1. Each
+//! [φ](Density) is a polynomial between two rows, whose integral over the piece is a sum over one Gauss rule:
 //!
 //! * over r, where x is at least a third of the width of the piece beyond its end;
 //! * over y with the weight y^α, from r to x, where r is at least x/2 and φ is continued beyond its piece: the integral over a piece
@@ -16,13 +17,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use mdr_core::calculus::gauss_jacobi::{self, GaussRule};
-use mdr_core::contact::{Error, Quantity, Result, Transform};
+use mdr_core::contact::{Error, Profile, Quantity, Result, Transform};
 use mdr_core::number::Special;
 
 use super::MeasuredProfile;
 use super::far::FarField;
 use super::hermite::Piece;
 use crate::transform::Weighted;
+use crate::transform::weight::{Density, Weight, factor_of_mean};
 
 /// log₂ of what a node adds to the accuracy of a rule, 3², in thousandths.
 const BITS_PER_NODE: i64 = 3169;
@@ -30,21 +32,8 @@ const BITS_PER_NODE: i64 = 3169;
 /// The degree of each φ on a piece: (r f')' is of the second in r, times r² at most.
 const DEGREE: usize = 4;
 
-/// φ, D = r d/dr.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Density {
-    /// f.
-    Height,
-    /// Df.
-    Rise,
-    /// (1 + k + D)f; Df in line contact.
-    Transform,
-    /// D of it.
-    Slope,
-}
-
-/// A measured profile on a half-space graded as zᵏ or a Winkler foundation, or the N of a [`LineLoad`](crate::transform::LineLoad), with an error of some roundings:
-/// its cost for each radius grows with the logarithm of the rows in f64.
+/// A measured profile on a half-space graded as zᵏ or a Winkler foundation, or the N of a [`LineLoad`](crate::transform::LineLoad),
+/// with an error of some roundings. In f64 the cost of a radius grows with the logarithm of the rows.
 ///
 /// ```
 /// use mdr_core::contact::Transform;
@@ -58,15 +47,11 @@ enum Density {
 #[derive(Clone)]
 pub struct MeasuredOnMedium<R: Special> {
     pieces: Vec<Piece<R>>,
-    /// 1 + k; `None` in line contact.
-    order: Option<R>,
-    /// The distance of the reference of a line contact.
-    reference: Option<R>,
     alpha: R,
     /// Over r, and over y.
     rules: [Arc<GaussRule<R>>; 2],
     far: Option<FarField<R, 4>>,
-    /// By quadrature.
+    /// The transform of any profile, which knows the medium.
     any: Weighted<R, MeasuredProfile<R>>,
     /// Nodes of rules and clusters so far.
     nodes: Arc<AtomicU64>,
@@ -81,9 +66,7 @@ impl<R: Special> MeasuredProfile<R> {
     /// # Errors
     /// k out of its domain.
     pub fn graded(self, k: R) -> Result<MeasuredOnMedium<R>> {
-        let alpha = (k.clone() - k.lit(1)).over(2);
-        let order = k.lit(1) + &k;
-        MeasuredOnMedium::new(self.pieces.clone(), Some(order), None, alpha, Weighted::graded(self, k))
+        MeasuredOnMedium::new(self.pieces.clone(), Weighted::graded(self, k))
     }
 
     /// On a Winkler foundation.
@@ -91,8 +74,8 @@ impl<R: Special> MeasuredProfile<R> {
     /// # Errors
     /// [`Error::NoConvergence`] where a rule cannot be computed, which is not met.
     pub fn winkler(self) -> Result<MeasuredOnMedium<R>> {
-        let (alpha, like) = (self.end.lit(0), self.end.lit(1));
-        MeasuredOnMedium::new(self.pieces.clone(), Some(like.lit(2)), None, alpha, Weighted::winkler(self, like))
+        let like = self.end.clone();
+        MeasuredOnMedium::new(self.pieces.clone(), Weighted::winkler(self, like))
     }
 
     /// In line contact, as the N of a [`LineLoad`](crate::transform::LineLoad), with its mean against a reference at this distance.
@@ -100,33 +83,25 @@ impl<R: Special> MeasuredProfile<R> {
     /// # Errors
     /// [`Error::NoConvergence`] where a rule cannot be computed, which is not met.
     pub fn line(self, reference: Option<R>) -> Result<MeasuredOnMedium<R>> {
-        let alpha = self.end.ratio(-1, 2);
-        let like = self.end.lit(1);
-        MeasuredOnMedium::new(
-            self.pieces.clone(),
-            None,
-            reference.clone(),
-            alpha,
-            Weighted::line(self, reference, like),
-        )
+        let like = self.end.clone();
+        MeasuredOnMedium::new(self.pieces.clone(), Weighted::line(self, reference, like))
     }
 }
 
 impl<R: Special> MeasuredOnMedium<R> {
-    fn new(
-        pieces: Vec<Piece<R>>,
-        order: Option<R>,
-        reference: Option<R>,
-        alpha: R,
-        any: Weighted<R, MeasuredProfile<R>>,
-    ) -> Result<Self> {
-        let (zero, bits) = (alpha.lit(0), i64::from(alpha.precision()));
+    fn new(pieces: Vec<Piece<R>>, any: Weighted<R, MeasuredProfile<R>>) -> Result<Self> {
+        let one = any.order().lit(1);
+        let alpha = match any.weight() {
+            Weight::Graded(k) => (k.clone() - &one).over(2),
+            Weight::Winkler => one.lit(0),
+            Weight::HalfSpace | Weight::Line(_) => one.ratio(-1, 2),
+        };
+        let (zero, bits) = (one.lit(0), i64::from(one.precision()));
         let nodes = (bits * 1000 / BITS_PER_NODE) as usize + 4;
         let rules = [gauss_jacobi::rule(nodes, &zero, &zero)?, gauss_jacobi::rule(nodes, &zero, &alpha)?];
         let all = [Density::Height, Density::Rise, Density::Transform, Density::Slope];
-        let far =
-            FarField::of(&pieces, DEGREE, |piece, t| all.map(|density| value(density, piece, t, order.as_ref())))?;
-        Ok(MeasuredOnMedium { pieces, order, reference, alpha, rules, far, any, nodes: Arc::default() })
+        let far = FarField::of(&pieces, DEGREE, |piece, t| all.map(|density| value(density, piece, t, &any)))?;
+        Ok(MeasuredOnMedium { pieces, alpha, rules, far, any, nodes: Arc::default() })
     }
 
     /// J\[φ\], or the integral of a line contact.
@@ -157,29 +132,25 @@ impl<R: Special> MeasuredOnMedium<R> {
         Err(Error::OutOfRange { quantity: Quantity::TransformedProfile, log10 })
     }
 
-    fn is_winkler(&self) -> bool {
-        self.alpha == self.alpha.lit(0)
-    }
-
     fn count(&self, nodes: usize) {
         self.nodes.fetch_add(nodes as u64, Ordering::Relaxed);
     }
 
     /// Whether the reference is so near to a radius that its pole may be within an ellipse of a rule over y, (L/x)² − 1 below a quarter.
     fn is_near_reference(&self, x: &R) -> bool {
-        self.reference.as_ref().is_some_and(|reference| reference.clone().times(8) < x.clone().times(9))
+        matches!(self.any.weight(), Weight::Line(Some(reference)) if reference.clone().times(8) < x.clone().times(9))
     }
 }
 
 /// φ at t within a piece.
-fn value<R: Special>(density: Density, piece: &Piece<R>, t: &R, order: Option<&R>) -> R {
+fn value<R: Special, P: Profile<R>>(density: Density, piece: &Piece<R>, t: &R, medium: &Weighted<R, P>) -> R {
     let r = || piece.start.clone() + piece.width.clone() * t;
-    match (density, order) {
+    match (density, medium.weight()) {
         (Density::Height, _) => piece.height_at(t),
-        (Density::Rise, _) | (Density::Transform, None) => piece.slope.at(t) * r(),
-        (Density::Transform, Some(order)) => piece.height_at(t) * order + piece.slope.at(t) * r(),
-        (Density::Slope, None) => piece.bend.at(t) * r(),
-        (Density::Slope, Some(order)) => (piece.slope.at(t) * order + piece.bend.at(t)) * r(),
+        (Density::Rise, _) | (Density::Transform, Weight::Line(_)) => piece.slope.at(t) * r(),
+        (Density::Transform, _) => piece.height_at(t) * medium.order() + piece.slope.at(t) * r(),
+        (Density::Slope, Weight::Line(_)) => piece.bend.at(t) * r(),
+        (Density::Slope, _) => (piece.slope.at(t) * medium.order() + piece.bend.at(t)) * r(),
     }
 }
 
@@ -196,17 +167,17 @@ impl<R: Special> Kernel<'_, R> {
         let y = (distance.lit(2) - &distance) * &distance;
         let share = || distance.lit(1) - &distance;
         // Away from x logarithms are small, and with them what is lost of their exponential; a power takes five times as long.
-        match &self.medium.order {
-            Some(_) if self.medium.is_winkler() => share(),
-            Some(_) => (y.ln() * &self.medium.alpha).exp() * share(),
-            None => (y.sqrt() * self.room(&y)).inv(),
+        match self.medium.any.weight() {
+            Weight::Winkler => share(),
+            Weight::Line(_) => (y.sqrt() * self.room(&y)).inv(),
+            _ => (y.ln() * &self.medium.alpha).exp() * share(),
         }
     }
 
     /// 1 − (r/L)² of the mean against a reference, else 1.
     fn room(&self, y: &R) -> R {
-        match &self.medium.reference {
-            Some(reference) if self.density == Density::Height => {
+        match self.medium.any.weight() {
+            Weight::Line(Some(reference)) if self.density == Density::Height => {
                 let share = (self.x.clone() / reference).square();
                 y.lit(1) - share * (y.lit(1) - y)
             }
@@ -215,7 +186,7 @@ impl<R: Special> Kernel<'_, R> {
     }
 
     fn value(&self, piece: &Piece<R>, t: &R) -> R {
-        value(self.density, piece, t, self.medium.order.as_ref())
+        value(self.density, piece, t, &self.medium.any)
     }
 
     /// Over a piece that ends before x.
@@ -253,6 +224,7 @@ impl<R: Special> Kernel<'_, R> {
         let distance = (self.x.clone() - from) / self.x;
         let most = (distance.lit(2) - &distance) * &distance;
         let beyond = self.x.clone() - &piece.start;
+        let is_line = matches!(self.medium.any.weight(), Weight::Line(_));
         let mut sum = self.x.lit(0);
         for node in rule.nodes() {
             let y = most.clone() * &node.t;
@@ -260,12 +232,9 @@ impl<R: Special> Kernel<'_, R> {
             // x − r = x y/(1 + r/x)
             let t = (beyond.clone() - y.clone() / (share.lit(1) + &share) * self.x) / &piece.width;
             let value = self.value(piece, &t) / self.room(&y) * &node.weight;
-            sum += &(if self.medium.order.is_some() { value } else { value / share });
+            sum += &(if is_line { value / share } else { value });
         }
-        let power = match &self.medium.order {
-            Some(_) => most.pow(&self.medium.alpha) * most,
-            None => most.sqrt(),
-        };
+        let power = if is_line { most.sqrt() } else { most.pow(&self.medium.alpha) * most };
         (sum * power).over(2)
     }
 }
@@ -273,14 +242,14 @@ impl<R: Special> Kernel<'_, R> {
 /// Exact up to rounding.
 impl<R: Special> Transform<R> for MeasuredOnMedium<R> {
     fn g(&self, x: &R) -> Result<R> {
-        if self.is_winkler() {
+        if let Weight::Winkler = self.any.weight() {
             return self.any.g(x);
         }
         self.integral(Density::Transform, x)
     }
 
     fn slope(&self, x: &R) -> Result<R> {
-        if self.is_winkler() {
+        if let Weight::Winkler = self.any.weight() {
             return self.any.slope(x);
         }
         Ok(self.integral(Density::Slope, x)? / x)
@@ -294,10 +263,10 @@ impl<R: Special> Transform<R> for MeasuredOnMedium<R> {
         if self.is_near_reference(x) {
             return self.any.mean(x);
         }
-        match (&self.order, &self.reference) {
-            (Some(order), _) => Ok(self.integral(Density::Height, x)? * order),
-            (None, None) => Ok(x.lit(0)),
-            (None, Some(reference)) => Ok(self.integral(Density::Height, x)? * factor_of_mean(x, reference)),
+        match self.any.weight() {
+            Weight::Line(None) => Ok(x.lit(0)),
+            Weight::Line(Some(reference)) => Ok(self.integral(Density::Height, x)? * factor_of_mean(x, reference)),
+            _ => Ok(self.integral(Density::Height, x)? * self.any.order()),
         }
     }
 
@@ -316,11 +285,4 @@ impl<R: Special> Transform<R> for MeasuredOnMedium<R> {
     fn work(&self) -> u64 {
         self.any.work() + self.nodes.load(Ordering::Relaxed) / NODES_PER_HEIGHT
     }
-}
-
-/// (2/π)√(1 − (b/L)²).
-fn factor_of_mean<R: Special>(b: &R, reference: &R) -> R {
-    let share = b.clone() / reference;
-    let room = (share.lit(1) - &share) * (share.lit(1) + &share);
-    room.sqrt().times(2) / b.pi()
 }

@@ -24,7 +24,7 @@ mod powers;
 mod quadrature;
 pub(crate) mod strides;
 mod wave;
-mod weight;
+pub(crate) mod weight;
 mod weighted;
 
 #[cfg(feature = "mp")]

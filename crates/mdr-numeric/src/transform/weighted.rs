@@ -19,7 +19,7 @@ use mdr_core::contact::{Error, Profile, Quantity, Result, Transform};
 use mdr_core::number::{Dual, Special};
 
 use super::integrand::{kink_jump, second_order};
-use super::weight::Weight;
+use super::weight::{Density, Weight, factor_of_mean};
 
 /// A profile given as a function, transformed for another medium.
 ///
@@ -45,19 +45,6 @@ pub struct Weighted<R, P> {
 /// The least distance from a kink at which the profile is evaluated, in unit roundoffs: twice that to which the comparisons of a formula
 /// such as max(r/R − 3/10, 0) tell on which side a radius is.
 const BESIDE: i64 = 16;
-
-/// The integrands of J.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
-    /// f.
-    Height,
-    /// Df.
-    Rise,
-    /// (1 + k + D)f; Df in line contact.
-    Transform,
-    /// D of it.
-    Slope,
-}
 
 /// Where a kink cuts a stretch.
 #[derive(Clone)]
@@ -103,6 +90,16 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         Self::new(profile, Weight::Line(reference), &like)
     }
 
+    /// What the medium weighs with.
+    pub(crate) fn weight(&self) -> &Weight<R> {
+        &self.weight
+    }
+
+    /// 1 + k, 2 on a Winkler foundation, 1 in line contact.
+    pub(crate) fn order(&self) -> &R {
+        &self.order
+    }
+
     /// Refuses radii at which there is no transform.
     ///
     /// # Errors
@@ -124,17 +121,17 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
     }
 
     /// φ at r.
-    fn at(&self, part: Part, r: &R) -> R {
+    fn at(&self, density: Density, r: &R) -> R {
         let logarithmic = || Dual { value: r.clone(), slope: r.clone() };
-        match (part, &self.weight) {
-            (Part::Height, _) => self.profile.height(r),
-            (Part::Rise, _) | (Part::Transform, Weight::Line(_)) => self.profile.height(&logarithmic()).slope,
-            (Part::Transform, _) => {
+        match (density, &self.weight) {
+            (Density::Height, _) => self.profile.height(r),
+            (Density::Rise, _) | (Density::Transform, Weight::Line(_)) => self.profile.height(&logarithmic()).slope,
+            (Density::Transform, _) => {
                 let f = self.profile.height(&logarithmic());
                 f.value * &self.order + f.slope
             }
-            (Part::Slope, Weight::Line(_)) => second_order(&self.profile, r).slope.slope,
-            (Part::Slope, _) => {
+            (Density::Slope, Weight::Line(_)) => second_order(&self.profile, r).slope.slope,
+            (Density::Slope, _) => {
                 let rise = second_order(&self.profile, r).slope;
                 rise.value * &self.order + rise.slope
             }
@@ -152,7 +149,7 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
     }
 
     /// J[φ], or the integral over θ of a line contact.
-    fn integral(&self, part: Part, x: &R, needed: &R) -> Result<Estimate<R>> {
+    fn integral(&self, density: Density, x: &R, needed: &R) -> Result<Estimate<R>> {
         self.check(x)?;
         let (zero, one) = (x.lit(0), x.lit(1));
         let goal = roundoff_tolerance(x).times(4);
@@ -177,9 +174,9 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
                         (_, Some(most)) if sine.clone() * x > *most => most.clone(),
                         _ => sine.clone() * x,
                     };
-                    let height = self.at(part, &radius);
+                    let height = self.at(density, &radius);
                     Ok(match &self.weight {
-                        Weight::Line(Some(reference)) if part == Part::Height => {
+                        Weight::Line(Some(reference)) if density == Density::Height => {
                             let share = sine.clone() * x / reference;
                             height / sine / (one.clone() - share.square())
                         }
@@ -206,7 +203,7 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         if !self.is_of_line() {
             estimate = estimate.scaled(&self.order.clone().inv());
         }
-        if part == Part::Slope {
+        if density == Density::Slope {
             for kink in inner {
                 let jump = kink_jump(&self.profile, kink);
                 let factor = self.share_of_jump(kink, x);
@@ -269,7 +266,7 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
 
     /// Whether f at x is so large that sums over it leave the range of the arithmetic.
     fn overflows(&self, x: &R) -> bool {
-        let size = self.at(Part::Height, x).abs();
+        let size = self.at(Density::Height, x).abs();
         size > x.lit(0) && !size.times(1 << 24).is_finite()
     }
 
@@ -297,8 +294,8 @@ impl<R: Special, P: Profile<R>> Weighted<R, P> {
         }
     }
 
-    fn value(&self, part: Part, x: &R) -> Result<R> {
-        Ok(self.integral(part, x, &x.lit(0))?.value)
+    fn value(&self, density: Density, x: &R) -> Result<R> {
+        Ok(self.integral(density, x, &x.lit(0))?.value)
     }
 }
 
@@ -317,7 +314,7 @@ impl<R: Special, P: Profile<R>> Transform<R> for Weighted<R, P> {
             self.check(x)?;
             return Ok(self.profile.height(&Dual::variable(x.clone())).slope);
         }
-        Ok(self.value(Part::Slope, x)? / x)
+        Ok(self.value(Density::Slope, x)? / x)
     }
 
     /// x times the mean.
@@ -334,25 +331,23 @@ impl<R: Special, P: Profile<R>> Transform<R> for Weighted<R, P> {
             self.check(x)?;
             return Ok(self.profile.height(x));
         }
-        Ok(self.integral(Part::Transform, x, needed)?.value)
+        Ok(self.integral(Density::Transform, x, needed)?.value)
     }
 
     fn mean_within(&self, x: &R, needed: &R) -> Result<R> {
         match &self.weight {
             Weight::Line(None) => Ok(x.lit(0)),
             Weight::Line(Some(reference)) => {
-                let share = x.clone() / reference;
-                let room = (share.lit(1) - &share) * (share.lit(1) + &share);
-                let factor = room.sqrt().times(2) / x.pi();
+                let factor = factor_of_mean(x, reference);
                 // What the mean needs, its integral needs over the factor.
-                Ok(self.integral(Part::Height, x, &(needed.clone() / &factor))?.value * factor)
+                Ok(self.integral(Density::Height, x, &(needed.clone() / &factor))?.value * factor)
             }
-            _ => Ok(self.integral(Part::Height, x, needed)?.value * &self.order),
+            _ => Ok(self.integral(Density::Height, x, needed)?.value * &self.order),
         }
     }
 
     fn above_mean(&self, x: &R) -> Result<R> {
-        self.value(Part::Rise, x)
+        self.value(Density::Rise, x)
     }
 
     fn outer_radius(&self) -> Option<R> {

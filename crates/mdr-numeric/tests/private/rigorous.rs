@@ -18,8 +18,9 @@ impl<F: Sampled> Sampled for Dropped<F> {
         self.0.values(t)
     }
 
-    fn image(&self, t: &Rectangle) -> Option<Vec<Rectangle>> {
-        Some(points(self.0.image(t)?))
+    fn image<I: Ends>(&self, t: &Rectangle<I>) -> Option<Vec<Rectangle<I>>> {
+        let point = |image: Rectangle<I>| Rectangle::new(image.re().midpoint(), image.im().lit(0));
+        Some(self.0.image(t)?.into_iter().map(point).collect())
     }
 
     fn is_moderate(&self) -> bool {
@@ -30,19 +31,9 @@ impl<F: Sampled> Sampled for Dropped<F> {
         self.0.is_dear()
     }
 
-    fn image_in_doubles(&self, t: &Rectangle<DoubleInterval>) -> Option<Vec<Rectangle<DoubleInterval>>> {
-        Some(points(self.0.image_in_doubles(t)?))
-    }
-
     fn range(&self, t: &Interval) -> Option<Vec<Interval>> {
         self.0.range(t)
     }
-}
-
-/// The middles of the real parts of images.
-fn points<I: Ends>(images: Vec<Rectangle<I>>) -> Vec<Rectangle<I>> {
-    let point = |image: Rectangle<I>| Rectangle::new(image.re().midpoint(), image.im().lit(0));
-    images.into_iter().map(point).collect()
 }
 
 /// ∫₀ᵃ g² at a = 0.3 over some waves, whole and without remainders.

@@ -11,8 +11,8 @@ pub(crate) fn weight(profile: &Profile, arithmetic: usize, bits: u32) -> u64 {
     costs.of_profile(profile)
 }
 
-/// The work of one value of g, or of one height of its quadrature, on a medium: off the half-space doubles know a table by its heights,
-/// each of which sees two rows, and not by integrals over all.
+/// The work of one value of g, or of one height of its quadrature, on a medium: off the half-space doubles count the heights of a table,
+/// each of which sees two rows, and no integrals over all.
 pub(crate) fn weight_on(profile: &Profile, medium: &ExactMedium, arithmetic: usize, bits: u32) -> u64 {
     let costs = Costs::of(arithmetic, u64::from(bits));
     if arithmetic > 0 || medium.is_half_space() {
